@@ -130,8 +130,9 @@ void printHead(const AuditArguments& arguments) {
   }
   std::cout << head << "\n";
   if (arguments.key.empty()) {
-    std::cerr << "torsio: this head is not signed; anybody who can write to the place where it is kept can "
-                 "replace it. torsio audit key FILE makes a key\n";
+    std::cerr
+        << "torsio: this checkpoint is not signed; anybody who can write to the place where it is kept can "
+           "replace it. torsio audit key FILE makes a key\n";
   }
   // Last: whatever an authority does, the head is kept.
   if (const std::optional<StampAuthority> authority = stampAuthority(arguments.database.locator())) {
@@ -168,7 +169,8 @@ void setStation(const AuditArguments& arguments) {
     anchor = stationAnchor();
   }
   std::cout << "Witness file: " << (anchor.witness.empty() ? "none" : anchor.witness.string()) << "\n"
-            << "Key: " << (anchor.key.empty() ? "none, heads are not signed" : anchor.key.string()) << "\n";
+            << "Key: " << (anchor.key.empty() ? "none, checkpoints are not signed" : anchor.key.string())
+            << "\n";
 }
 
 void replaceKey(const AuditArguments& arguments) {
@@ -176,8 +178,8 @@ void replaceKey(const AuditArguments& arguments) {
                                             arguments.witness, utcNow_us());
   std::cout << "Public key: " << made.publicKey << "\n"
             << made.line << "\n"
-            << "Keep this line with the heads of the older key; torsio audit station --key " << arguments.file
-            << " sets the new one.\n";
+            << "Keep this line with the checkpoints of the older key; torsio audit station --key "
+            << arguments.file << " sets the new one.\n";
 }
 
 void makeKey(const AuditArguments& arguments) {
@@ -187,7 +189,7 @@ void makeKey(const AuditArguments& arguments) {
   }
   std::cout << "Public key: " << makeAnchorKey(arguments.file) << "\n"
             << "Keep " << arguments.file
-            << " away from the record, and the public key where you check heads.\n";
+            << " away from the record, and the public key where you check checkpoints.\n";
 }
 
 }  // namespace
@@ -211,19 +213,21 @@ void addAudit(CLI::App& program) {
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { verify(*arguments); });
 
-  command = audit->add_subcommand("head", "Prints the head of the audit trail, to be stored elsewhere");
+  command = audit->add_subcommand("head", "Prints a checkpoint of the audit trail, to be stored elsewhere");
   addDatabase(*command);
   command->add_option("--key", arguments->key, "File of the key that signs it");
   command->add_option("--witness", arguments->witness, "File to which the line is appended");
   command->callback([arguments] { printHead(*arguments); });
 
-  command = audit->add_subcommand("station", "Shows or sets where this station keeps heads, and its key");
+  command =
+      audit->add_subcommand("station", "Shows or sets where this station keeps checkpoints, and its key");
   command->add_option("--witness", arguments->witness,
-                      "File to which a head is appended whenever an administrator signs out");
+                      "File to which a checkpoint is appended whenever an administrator signs out");
   command->add_option("--key", arguments->key, "File of the key that signs them");
   command->callback([arguments] { setStation(*arguments); });
 
-  command = audit->add_subcommand("authority", "Shows or sets the authority that stamps heads (RFC 3161)");
+  command =
+      audit->add_subcommand("authority", "Shows or sets the authority that stamps checkpoints (RFC 3161)");
   addDatabase(*command);
   CLI::Option* address = command->add_option("--address", arguments->address, "Where it is asked, over HTTP");
   CLI::Option* certificate =
@@ -235,7 +239,7 @@ void addAudit(CLI::App& program) {
   addSignIn(*command, arguments->maintenance, "--login");
   command->callback([arguments] { setAuthority(*arguments); });
 
-  command = audit->add_subcommand("key", "Makes a key that signs heads, in a file of its own");
+  command = audit->add_subcommand("key", "Makes a key that signs checkpoints, in a file of its own");
   command->add_option("FILE", arguments->file, "The new file")->required();
   command->add_option("--replaces", arguments->key, "File of the key that it replaces");
   command->add_option("--witness", arguments->witness,

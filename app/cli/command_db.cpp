@@ -33,7 +33,7 @@ namespace torsio::cli {
 
 namespace {
 
-constexpr const char* kUsualKeep = "7,5,12";
+constexpr const char* kDefaultKeep = "7,5,12";
 
 struct DbArguments {
   DatabaseOption database;
@@ -98,7 +98,7 @@ void backUp(const DbArguments& arguments) {
   }
   const std::string folder = arguments.file.empty() ? backupFolder(arguments.folder) : "";
   const KeepRule rule = keepRule(
-      arguments.keep.empty() ? configured(kConfiguredBackupKeep).value_or(kUsualKeep) : arguments.keep);
+      arguments.keep.empty() ? configured(kConfiguredBackupKeep).value_or(kDefaultKeep) : arguments.keep);
   sweepLeftovers(locator);
   MaintenanceDesk desk(arguments.maintenance.maintainer(), locator);
   KeptBackup made{.file = arguments.file};
@@ -117,8 +117,9 @@ void backUp(const DbArguments& arguments) {
   std::cout << "  " << anchoredHead(isDump(made.file) ? locator : made.file.string(), anchor.key, utcNow_us())
             << "\n";
   if (anchor.key.empty()) {
-    std::cerr << "torsio: this head is not signed: anybody who can write to the place where it is kept can "
-                 "replace it. torsio audit key FILE makes a key, torsio audit station sets it\n";
+    std::cerr
+        << "torsio: this checkpoint is not signed: anybody who can write to the place where it is kept can "
+           "replace it. torsio audit key FILE makes a key, torsio audit station sets it\n";
   }
   printCopies(arguments);
 }

@@ -20,8 +20,8 @@ namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kTwists = 10;     // of a whole run
-constexpr std::int64_t kMostMisses = 2;  // with which it passes: four in five must be on target
+constexpr std::int64_t kTwists = 10;    // of a whole run
+constexpr std::int64_t kMaxMisses = 2;  // with which it passes: four in five must be on target
 constexpr std::int64_t kRunsPerDay = 5;
 constexpr std::int64_t kBetweenRuns_us = std::int64_t{600} * 1'000'000;
 constexpr std::int64_t kCentre = 2'000;  // trainees from whom the dependence is estimated
@@ -137,7 +137,7 @@ SimulatedRun withMisses(std::int64_t misses) {
 }
 
 Hand independentHand(double failing) {
-  return [rate = missRate(failing, kTwists, kMostMisses)](Random& random, std::int64_t) {
+  return [rate = missRate(failing, kTwists, kMaxMisses)](Random& random, std::int64_t) {
     return withMisses(missesIn(random, rate));
   };
 }
@@ -151,7 +151,7 @@ Hand roughHand(double failing) {
 Hand changingHand(double failing) {
   const double centre = solved(
       [](double x) {
-        return overNormal([x](double z) { return moreMisses(logistic(x + z), kTwists, kMostMisses); });
+        return overNormal([x](double z) { return moreMisses(logistic(x + z), kTwists, kMaxMisses); });
       },
       failing, -12.0, 8.0);
   return [centre, rate = 0.0](Random& random, std::int64_t number) mutable {
@@ -167,7 +167,7 @@ Hand repeatingHand(double failing, double lag) {
     if (number == 0 || random.uniform() >= lag) {
       failed = random.uniform() < failing;
     }
-    return withMisses(failed ? kMostMisses + 1 : 0);
+    return withMisses(failed ? kMaxMisses + 1 : 0);
   };
 }
 

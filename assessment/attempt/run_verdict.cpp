@@ -82,7 +82,7 @@ Text TargetCheck::text() const {
   const Phrase name = rowOf(*quantity).name;
   const Text own = valueText(*this, *quantity);
   const Text limit = shownValue(*quantity, wanted);
-  const Text sentence = isAnswer(*quantity) ? Text::tr("%1: %2, wanted %3", name, own, limit)
+  const Text sentence = isAnswer(*quantity) ? Text::tr("%1: %2 (%3 required)", name, own, limit)
                         : atLeast           ? Text::tr("%1: %2, at least %3", name, own, limit)
                                             : Text::tr("%1: %2, at most %3", name, own, limit);
   return consecutive <= 1 ? sentence : Text::tr("%1 (%2 in a row, %3 needed)", sentence, streak, consecutive);

@@ -483,8 +483,8 @@
         <translation>今日训练</translation>
     </message>
     <message>
-        <source>Heads of the audit trail</source>
-        <translation>审计记录的链头</translation>
+        <source>Checkpoints of the audit trail</source>
+        <translation>审计记录的校验点</translation>
     </message>
 </context>
 <context>
@@ -2791,10 +2791,6 @@
     <message>
         <source>Knows the steps, corrects often</source>
         <translation>知道步骤，经常修正</translation>
-    </message>
-    <message>
-        <source>Laying out the desks</source>
-        <translation>正在布置工作台</translation>
     </message>
     <message>
         <source>Leave them out</source>
@@ -6011,10 +6007,6 @@
     <message>
         <source>Degrees of freedom</source>
         <translation>自由度</translation>
-    </message>
-    <message>
-        <source>Demonstration data: nothing in it is a result.</source>
-        <translation>演示数据：其中任何内容都不是研究结果。</translation>
     </message>
     <message>
         <source>Demonstration with simulated people and marks</source>
@@ -9361,24 +9353,24 @@
         <translation>此前本机其他账户可以读取此密钥</translation>
     </message>
     <message>
-        <source>Make a new key, and keep this one only to check older heads</source>
-        <translation>请生成新密钥，此密钥仅保留用于核对较早的链头</translation>
+        <source>Make a new key, and keep this one only to check older checkpoints</source>
+        <translation>请生成新密钥，此密钥仅保留用于核对较早的校验点</translation>
     </message>
     <message>
-        <source>is not the head of an audit trail</source>
-        <translation>不是审计记录的链头</translation>
+        <source>is not the checkpoint of an audit trail</source>
+        <translation>不是审计记录的校验点</translation>
     </message>
     <message>
         <source>Give a line that torsio audit head printed</source>
         <translation>请提供 torsio audit head 输出的一行</translation>
     </message>
     <message>
-        <source>Name a new file: an older key is needed to check older heads</source>
-        <translation>请指定新文件：核对较早的链头需要旧密钥</translation>
+        <source>Name a new file: an older key is needed to check older checkpoints</source>
+        <translation>请指定新文件：核对较早的校验点需要旧密钥</translation>
     </message>
     <message>
-        <source>contains no head of an audit trail</source>
-        <translation>不含审计记录的链头</translation>
+        <source>contains no checkpoint of an audit trail</source>
+        <translation>不含审计记录的校验点</translation>
     </message>
     <message>
         <source>Choose the file that torsio audit head --witness wrote</source>
@@ -10281,10 +10273,6 @@
         <translation>胜任标准第 %1 版</translation>
     </message>
     <message>
-        <source>Competence design shipped with the exercise (none was registered before the first attempt)</source>
-        <translation>随练习提供的胜任标准（首次尝试前没有登记标准）</translation>
-    </message>
-    <message>
         <source>learning</source>
         <translation>学习中</translation>
     </message>
@@ -10965,8 +10953,8 @@
         <translation>审计记录</translation>
     </message>
     <message>
-        <source>Head of the audit trail</source>
-        <translation>审计记录的链头哈希</translation>
+        <source>Checkpoint of the audit trail</source>
+        <translation>审计记录的校验点哈希</translation>
     </message>
     <message>
         <source>the column %1 was altered on its way into the record; nothing was kept</source>
@@ -12135,8 +12123,8 @@ audit trail %3</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>this station keeps no heads</source>
-        <translation>本站不保存链头</translation>
+        <source>this station keeps no checkpoints</source>
+        <translation>本站不保存校验点</translation>
     </message>
     <message>
         <source>Choose a witness file first</source>
@@ -12229,14 +12217,6 @@ audit trail %3</source>
     <message>
         <source>Whether the groups are equal within the margin</source>
         <translation>各组在界值之内是否等效</translation>
-    </message>
-    <message>
-        <source>two one-sided tests, linear mixed model</source>
-        <translation>双单侧检验，线性混合模型</translation>
-    </message>
-    <message>
-        <source>two one-sided tests, analysis of covariance</source>
-        <translation>双单侧检验，协方差分析</translation>
     </message>
     <message>
         <source>Difference [90 %, not adjusted]</source>
@@ -12505,10 +12485,6 @@ audit trail %3</source>
     <message>
         <source>people</source>
         <translation>人员</translation>
-    </message>
-    <message>
-        <source>Set up a centre with a demonstration cohort, or look round before the first set-up</source>
-        <translation>请在设置中心时加入演示批次，或在首次设置之前先浏览</translation>
     </message>
     <message>
         <source>this case has no such remark</source>
@@ -12984,7 +12960,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>Auto-advance</source>
-        <translation>自动前进</translation>
+        <translation>自动跳到下一项</translation>
     </message>
     <message>
         <source>Back to the sheet</source>
@@ -12997,10 +12973,6 @@ audit trail %3</source>
     <message>
         <source>Beginning, end of the recording</source>
         <translation>录制的开头、结尾</translation>
-    </message>
-    <message>
-        <source>begun, saved at every keystroke</source>
-        <translation>已开始，每次按键均已保存</translation>
     </message>
     <message>
         <source>Bookmark</source>
@@ -13037,10 +13009,6 @@ audit trail %3</source>
     <message>
         <source>Case %1 is submitted and sealed</source>
         <translation>案例 %1 已提交并封存</translation>
-    </message>
-    <message>
-        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody&apos;s.</source>
-        <translation>案例已盲化，并为您单独打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到他人的评分。</translation>
     </message>
     <message>
         <source>Change what must be changed, give the reason, seal the new version. Both versions are kept.</source>
@@ -13237,10 +13205,6 @@ audit trail %3</source>
     <message>
         <source>Not stored: the server does not answer. Try again.</source>
         <translation>未存储：服务器没有应答。请重试。</translation>
-    </message>
-    <message>
-        <source>nothing is half done</source>
-        <translation>没有未完成的草稿</translation>
     </message>
     <message>
         <source>nothing is overdue</source>
@@ -16595,10 +16559,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>%1: %2, wanted %3</source>
-        <translation>%1：%2，要求 %3</translation>
-    </message>
-    <message>
         <source>%1: %2, at least %3</source>
         <translation>%1：%2，至少 %3</translation>
     </message>
@@ -17173,10 +17133,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Choose both files</source>
         <translation>请同时选择两个文件</translation>
-    </message>
-    <message>
-        <source>the password is made of words that are tried first</source>
-        <translation>密码由最先被尝试的常见词组成</translation>
     </message>
     <message>
         <source>Drawing the arm</source>
@@ -20275,12 +20231,12 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请指定新文件，或由 torsio audit head --witness 写出的文件</translation>
     </message>
     <message>
-        <source>is a link: heads are never written through one</source>
-        <translation>是链接：审计记录的链头从不经链接写入</translation>
+        <source>is a link: checkpoints are never written through one</source>
+        <translation>是链接：审计记录的校验点从不经链接写入</translation>
     </message>
     <message>
-        <source>is no file of heads: nothing was written to it</source>
-        <translation>不是存放链头的文件：没有写入任何内容</translation>
+        <source>is no file of checkpoints: nothing was written to it</source>
+        <translation>不是存放校验点的文件：没有写入任何内容</translation>
     </message>
     <message>
         <source>the clock went back: entry %1 is dated %2, entry %3 before it %4</source>
@@ -20323,12 +20279,12 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请选择由 torsio audit 写出的文件</translation>
     </message>
     <message>
-        <source>is a pipe, a device or a folder: keys and heads are kept in files</source>
-        <translation>是管道、设备或文件夹：密钥和链头保存在文件中</translation>
+        <source>is a pipe, a device or a folder: keys and checkpoints are kept in files</source>
+        <translation>是管道、设备或文件夹：密钥和校验点保存在文件中</translation>
     </message>
     <message>
-        <source>is too large for a file of keys or heads</source>
-        <translation>过大，不可能是密钥或链头文件</translation>
+        <source>is too large for a file of keys or checkpoints</source>
+        <translation>过大，不可能是密钥或校验点文件</translation>
     </message>
     <message>
         <source>line %1 has the same e-mail address</source>
@@ -21003,10 +20959,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请使用其中一列：%1</translation>
     </message>
     <message>
-        <source>the column has lists or groups of values</source>
-        <translation>该列含有列表或成组的值</translation>
-    </message>
-    <message>
         <source>Write each of its numbers as a column of its own</source>
         <translation>请把其中每个数各写为一列</translation>
     </message>
@@ -21327,10 +21279,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>当且仅当 p（Holm）小于 0.05 时，Holm 法校正的区间不包含零。并不声称这些区间同时成立。</translation>
     </message>
     <message>
-        <source>two one-sided tests, analysis of covariance, HC3</source>
-        <translation>两次单侧检验，协方差分析，HC3</translation>
-    </message>
-    <message>
         <source>linear mixed model; %1</source>
         <translation>线性混合模型；%1</translation>
     </message>
@@ -21459,20 +21407,20 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>时间戳机构以状态码 %1 应答</translation>
     </message>
     <message>
-        <source>The head is kept without a time stamp; ask again later</source>
-        <translation>链头已保存，但没有时间戳；请稍后再请求</translation>
+        <source>The checkpoint is kept without a time stamp; ask again later</source>
+        <translation>校验点已保存，但没有时间戳；请稍后再请求</translation>
     </message>
     <message>
-        <source>the clock of the station was wrong: the head of entry %1 is dated %2, its time stamp %3</source>
-        <translation>工作站的时钟不准：第 %1 条的链头记为 %2，而时间戳为 %3</translation>
+        <source>the clock of the station was wrong: the checkpoint of entry %1 is dated %2, its time stamp %3</source>
+        <translation>工作站的时钟不准：第 %1 条的校验点记为 %2，而时间戳为 %3</translation>
     </message>
     <message>
         <source>%1 time {stamp was|stamps were} not checked: no certificate of the authority is known</source>
         <translation>%1 个时间戳未核对：不知道该机构的证书</translation>
     </message>
     <message>
-        <source>%1 {head has|heads have} no time stamp; the first is of entry %2</source>
-        <translation>%1 个链头没有时间戳，第一个是第 %2 条的</translation>
+        <source>%1 {checkpoint has|checkpoints have} no time stamp; the first is of entry %2</source>
+        <translation>%1 个校验点没有时间戳，第一个是第 %2 条的</translation>
     </message>
     <message>
         <source>time stamp</source>
@@ -21967,10 +21915,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>没有进行比较</translation>
     </message>
     <message>
-        <source>%1 With the centre in the model (%2), in points with 95 % intervals after Holm: %3. %4</source>
-        <translation>%1模型中加入中心后（%2），以分计，附经 Holm 校正的 95 % 区间：%3。%4</translation>
-    </message>
-    <message>
         <source>That the differences vary from centre to centre was not shown; few centres can hardly show it.</source>
         <translation>未显示差异因中心而异；中心较少时很难显示这一点。</translation>
     </message>
@@ -21989,6 +21933,138 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>no two centres have trainees of the same two groups</source>
         <translation>没有两个中心同时有相同两组的学员</translation>
+    </message>
+    <message>
+        <source>only a Parquet file may hold several recordings</source>
+        <translation>只有 Parquet 文件可以包含多个录制</translation>
+    </message>
+    <message>
+        <source>Write each recording into a file of its own</source>
+        <translation>请将每个录制写入单独的文件</translation>
+    </message>
+    <message>
+        <source>Write the number of the episode</source>
+        <translation>请填写片段（episode）的编号</translation>
+    </message>
+    <message>
+        <source>the file has no episode %1</source>
+        <translation>文件中没有片段 %1</translation>
+    </message>
+    <message>
+        <source>Check the numbers in its column %1</source>
+        <translation>请核对其 %1 列中的编号</translation>
+    </message>
+    <message>
+        <source>a list has %1 {value|values}, so there is no [%2]</source>
+        <translation>列表只有 %1 个值，没有 [%2]</translation>
+    </message>
+    <message>
+        <source>Items are counted from 0; correct the map</source>
+        <translation>列表项从 0 开始计数，请更正映射文件</translation>
+    </message>
+    <message>
+        <source>a list has more than %1 values</source>
+        <translation>列表超过 %1 个值</translation>
+    </message>
+    <message>
+        <source>Name another column</source>
+        <translation>请指定其他列</translation>
+    </message>
+    <message>
+        <source>the column has groups of values, or lists of lists</source>
+        <translation>该列含有成组的值或嵌套列表</translation>
+    </message>
+    <message>
+        <source>each row of the column has a list</source>
+        <translation>该列每行是一个列表</translation>
+    </message>
+    <message>
+        <source>Name an item of it, counted from 0: %1</source>
+        <translation>请指定其中一项，从 0 开始计数：%1</translation>
+    </message>
+    <message>
+        <source>Demonstration data: not study results.</source>
+        <translation>演示数据，不是研究结果。</translation>
+    </message>
+    <message>
+        <source>Set up a centre with a demonstration cohort, or explore with sample data before the first set-up</source>
+        <translation>请设置带演示队列的中心，或在首次设置前用示例数据体验</translation>
+    </message>
+    <message>
+        <source>Preparing accounts</source>
+        <translation>正在准备账户</translation>
+    </message>
+    <message>
+        <source>Default competence rule</source>
+        <translation>默认胜任规则</translation>
+    </message>
+    <message>
+        <source>%1 to come</source>
+        <translation>%1 份待交</translation>
+    </message>
+    <message>
+        <source>%1, %2 to come</source>
+        <translation>%1，另有 %2 份待交</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3 required)</source>
+        <translation>%1：%2（要求 %3）</translation>
+    </message>
+    <message>
+        <source>the password is too easy to guess</source>
+        <translation>密码太容易被猜到</translation>
+    </message>
+    <message>
+        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, nor do you see theirs.</source>
+        <translation>病例已设盲，并单独为您打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到别人的评分。</translation>
+    </message>
+    <message>
+        <source>in progress, saved automatically</source>
+        <translation>进行中，自动保存</translation>
+    </message>
+    <message>
+        <source>none in progress</source>
+        <translation>没有进行中的</translation>
+    </message>
+    <message>
+        <source>%1, which the model with random centres does not allow for.</source>
+        <translation>%1，而将中心作为随机效应的模型未考虑这一点。</translation>
+    </message>
+    <message>
+        <source>two one-sided tests, %1</source>
+        <translation>双单侧检验，%1</translation>
+    </message>
+    <message>
+        <source>Used: the same with the centre as a fixed factor, as the data are those of %1 centres (fewer than %2).</source>
+        <translation>实际采用：同样的分析并将中心作为固定因素，因为数据来自 %1 个中心（少于 %2 个）。</translation>
+    </message>
+    <message>
+        <source>Used: the same with the centre as a random effect, as the data are those of %1 centres (%2 or more).</source>
+        <translation>实际采用：同样的分析并将中心作为随机效应，因为数据来自 %1 个中心（不少于 %2 个）。</translation>
+    </message>
+    <message>
+        <source>Its standard errors are those of the model, with degrees of freedom after Satterthwaite.</source>
+        <translation>其标准误来自模型，自由度按 Satterthwaite 计算。</translation>
+    </message>
+    <message>
+        <source>The linear mixed model has no term for the centre: the comparison with the centre stands beside it.</source>
+        <translation>线性混合模型不含中心项；含中心的比较并列给出。</translation>
+    </message>
+    <message>
+        <source>The answer has the centre in its model (%1).</source>
+        <translation>答案的模型中包含中心（%1）。</translation>
+    </message>
+    <message>
+        <source>With the centre in the model (%1), in points with 95 % intervals after Holm: %2.</source>
+        <translation>模型中包含中心时（%1），以分计，Holm 校正后的 95 % 区间：%2。</translation>
+    </message>
+    <message>
+        <source>analysis of covariance with the centre as a fixed factor, one pooled slope, HC3</source>
+        <translation>以中心为固定因素的协方差分析，共同斜率，HC3</translation>
+    </message>
+    <message>
+        <source>analysis of covariance with the centre as a random effect, one pooled slope</source>
+        <translation>以中心为随机效应的协方差分析，共同斜率</translation>
     </message>
 </context>
 <context>
@@ -22093,10 +22169,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>学员</translation>
     </message>
     <message>
-        <source>Physician who scores</source>
-        <translation>评分医师</translation>
-    </message>
-    <message>
         <source>Administrator</source>
         <translation>管理员</translation>
     </message>
@@ -22159,6 +22231,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>These are the present roles.</source>
         <translation>与当前角色相同。</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>评分医师</translation>
     </message>
 </context>
 <context>
@@ -22707,12 +22783,12 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>✓ 条目、评分和操作均与写入时一致。</translation>
     </message>
     <message>
-        <source>&amp;Heads…</source>
-        <translation>链头(&amp;H)…</translation>
+        <source>&amp;Checkpoints…</source>
+        <translation>校验点(&amp;H)…</translation>
     </message>
     <message>
-        <source>The key of this station, its witness file, and the check against saved heads</source>
-        <translation>本站的密钥、见证文件，以及与已保存链头的核对</translation>
+        <source>The key of this station, its witness file, and the check against saved checkpoints</source>
+        <translation>本站的密钥、见证文件，以及与已保存校验点的核对</translation>
     </message>
 </context>
 <context>
@@ -22745,10 +22821,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>练习：不计分。</translation>
     </message>
     <message>
-        <source>What is asked for</source>
-        <translation>任务要求</translation>
-    </message>
-    <message>
         <source>How to do it</source>
         <translation>操作方法</translation>
     </message>
@@ -22762,7 +22834,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     </message>
     <message>
         <source>Keep the force below %1 N.</source>
-        <translation>力保持在 %1 N 以下。</translation>
+        <translation>力不超过 %1 N。</translation>
     </message>
     <message>
         <source>Keep the torque below %1 N m.</source>
@@ -22836,10 +22908,6 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <source>An expert untwists the same organ</source>
         <translation>专家为同一器官复位</translation>
     </message>
-    <message>
-        <source>When you count as competent</source>
-        <translation>何时被认为胜任</translation>
-    </message>
     <message numerus="yes">
         <source>Twist at least %n time(s).</source>
         <translation>
@@ -22890,6 +22958,14 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <source>S&amp;low motion</source>
         <translation>慢动作(&amp;L)</translation>
     </message>
+    <message>
+        <source>Your task</source>
+        <translation>您的任务</translation>
+    </message>
+    <message>
+        <source>How competence is decided</source>
+        <translation>胜任如何判定</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CallBar</name>
@@ -22920,10 +22996,6 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     <message>
         <source>● Called: %1</source>
         <translation>● 呼叫中：%1</translation>
-    </message>
-    <message>
-        <source>missing: %1</source>
-        <translation>未交：%1</translation>
     </message>
     <message>
         <source>: </source>
@@ -22994,6 +23066,10 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     <message>
         <source>%1. %2</source>
         <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>A sheet is in: if it was the wrong person, end the call and report a deviation.</source>
+        <translation>已有评分表提交：如果叫错了人，请结束呼叫并报告偏离。</translation>
     </message>
 </context>
 <context>
@@ -23460,7 +23536,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Au&amp;to-advance</source>
-        <translation>自动前进(&amp;T)</translation>
+        <translation>自动跳到下一项(&amp;T)</translation>
     </message>
     <message>
         <source>After each mark the next row is selected automatically</source>
@@ -24882,10 +24958,6 @@ MSM = 质点弹簧</translation>
         <translation>计算机当时过于繁忙，扭转记录有间断：无法对其作出评价。</translation>
     </message>
     <message>
-        <source>Force was shown, not felt: the device of this run gives none. Its measures are computed.</source>
-        <translation>力只显示、感觉不到：本次操作的设备不提供力。力的测量值由模型计算。</translation>
-    </message>
-    <message>
         <source>Your run in 3D</source>
         <translation>您的操作（三维）</translation>
     </message>
@@ -24896,10 +24968,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>The force felt did not match the computed force throughout: %1. %2.</source>
         <translation>手上感受到的力并非始终与计算值一致：%1。%2。</translation>
-    </message>
-    <message>
-        <source>The run was not computed evenly throughout: %1. %2.</source>
-        <translation>本次操作的计算并非始终均匀：%1。%2。</translation>
     </message>
     <message numerus="yes">
         <source>%n twist(s) not completed and not counted.</source>
@@ -24939,6 +25007,14 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Out of view: %1.</source>
         <translation>离开视野：%1。</translation>
+    </message>
+    <message>
+        <source>No haptic device: force was computed, not felt.</source>
+        <translation>没有力反馈设备：力是计算得出的，未能感受到。</translation>
+    </message>
+    <message>
+        <source>The computer could not keep up: %1. %2.</source>
+        <translation>电脑未能跟上：%1。%2。</translation>
     </message>
 </context>
 <context>
@@ -25367,7 +25443,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Rest of the tissue</source>
-        <translation>组织停歇</translation>
+        <translation>组织恢复</translation>
     </message>
     <message>
         <source>The twist is increasing. Turn in the opposite direction.</source>
@@ -25383,7 +25459,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Turned back by %1°. Set the clip and let it rest: %2 of %3</source>
-        <translation>已转回 %1°。请夹住并让组织停歇：%2 / %3</translation>
+        <translation>已转回 %1°。请夹住并让组织恢复：%2 / %3</translation>
     </message>
 </context>
 <context>
@@ -25644,10 +25720,6 @@ Leave it empty to remove it.</source>
         <translation>默认设备</translation>
     </message>
     <message>
-        <source>&amp;Force test: somebody holds the stylus</source>
-        <translation>力测试：有人握住操作笔(&amp;F)</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>结果</translation>
     </message>
@@ -25698,6 +25770,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Made once and kept when the computer is renamed, in %1</source>
         <translation>只生成一次，计算机改名后保持不变；保存在 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Force test: someone must hold the stylus</source>
+        <translation>力测试：必须有人握住触笔(&amp;F)</translation>
     </message>
 </context>
 <context>
@@ -26513,10 +26589,6 @@ Leave it empty to remove it.</source>
         <translation>学员</translation>
     </message>
     <message>
-        <source>Physician who scores</source>
-        <translation>评分医师</translation>
-    </message>
-    <message>
         <source>Welcome to Torsio</source>
         <translation>欢迎使用 Torsio</translation>
     </message>
@@ -26529,20 +26601,12 @@ Leave it empty to remove it.</source>
         <translation>记录保存位置</translation>
     </message>
     <message>
-        <source>Something to try it with</source>
-        <translation>试用内容</translation>
-    </message>
-    <message>
         <source>Accounts of the demonstration</source>
         <translation>演示账户</translation>
     </message>
     <message>
         <source>Four short steps set up your centre. Nothing is written before the last one.</source>
         <translation>只需四个简短步骤即可建立您的中心。最后一步之前不会写入任何内容。</translation>
-    </message>
-    <message>
-        <source>This person lets others in. There is no default password; choose one of at least fifteen characters, a short sentence for example.</source>
-        <translation>管理员为其他人开通账户。没有默认密码；请设置至少十五个字符的密码，例如一个短句。</translation>
     </message>
     <message>
         <source>One computer, or a server that several stations share.</source>
@@ -26577,10 +26641,6 @@ Leave it empty to remove it.</source>
         <translation>密码(&amp;P)</translation>
     </message>
     <message>
-        <source>&amp;Begin empty</source>
-        <translation>从空白开始(&amp;B)</translation>
-    </message>
-    <message>
         <source>People, curricula and cohorts are entered or imported.</source>
         <translation>人员、课程和批次由您录入或导入。</translation>
     </message>
@@ -26599,10 +26659,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Back</source>
         <translation>上一步</translation>
-    </message>
-    <message>
-        <source>I have noted them</source>
-        <translation>我已记下</translation>
     </message>
     <message>
         <source>Set up</source>
@@ -26645,10 +26701,6 @@ Leave it empty to remove it.</source>
         <translation>语言(&amp;G)</translation>
     </message>
     <message>
-        <source>Look round with simulated people</source>
-        <translation>用模拟人员浏览</translation>
-    </message>
-    <message>
         <source>As a &amp;trainee</source>
         <translation>作为学员(&amp;T)</translation>
     </message>
@@ -26661,16 +26713,40 @@ Leave it empty to remove it.</source>
         <translation>作为管理员(&amp;A)</translation>
     </message>
     <message>
-        <source>Needs no password. Everything is in a separate folder, which is removed when you sign out.</source>
-        <translation>无需密码。全部内容位于单独的文件夹中，退出登录时即删除。</translation>
-    </message>
-    <message>
         <source>Repeat p&amp;assword</source>
         <translation>重复密码(&amp;A)</translation>
     </message>
     <message>
         <source>Set for this computer in %1.</source>
         <translation>已由本机配置设定：%1。</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>评分医师</translation>
+    </message>
+    <message>
+        <source>Sample data (optional)</source>
+        <translation>示例数据（可选）</translation>
+    </message>
+    <message>
+        <source>This person creates all other accounts. There is no default password; choose one of at least fifteen characters, a short sentence for example.</source>
+        <translation>此人创建所有其他账户。没有默认密码；请选择至少十五个字符的密码，例如一个短句。</translation>
+    </message>
+    <message>
+        <source>Explore with sample data</source>
+        <translation>用示例数据体验</translation>
+    </message>
+    <message>
+        <source>No password needed. Sample data are deleted at sign-out.</source>
+        <translation>无需密码。退出登录时会删除示例数据。</translation>
+    </message>
+    <message>
+        <source>&amp;Start empty</source>
+        <translation>从空白开始(&amp;S)</translation>
+    </message>
+    <message>
+        <source>I&apos;ve saved these passwords</source>
+        <translation>我已保存这些密码</translation>
     </message>
 </context>
 <context>
@@ -26817,8 +26893,8 @@ Leave it empty to remove it.</source>
         <translation>已复制</translation>
     </message>
     <message>
-        <source>Head of the audit trail</source>
-        <translation>审计记录的链头</translation>
+        <source>Checkpoint of the audit trail</source>
+        <translation>审计记录的校验点</translation>
     </message>
     <message numerus="yes">
         <source>%Ln entry(s), %1 UTC, %2</source>
@@ -26839,16 +26915,16 @@ Leave it empty to remove it.</source>
         <translation>最新记录的哈希：%1</translation>
     </message>
     <message>
-        <source>The head was not saved. %1</source>
-        <translation>链头未能保存。%1</translation>
+        <source>The checkpoint was not saved. %1</source>
+        <translation>校验点未能保存。%1</translation>
     </message>
     <message>
-        <source>This station keeps no heads. Copy the head or write it down and keep it away from the record: it shows later whether the trail was truncated or rewritten.</source>
-        <translation>本站不保存链头。请复制或抄下，并与数据分开存放：日后凭它可以查出审计记录是否被截断或改写。</translation>
+        <source>This station keeps no checkpoints. Copy the checkpoint or write it down and keep it away from the record: it shows later whether the trail was truncated or rewritten.</source>
+        <translation>本站不保存校验点。请复制或抄下，并与数据分开存放：日后凭它可以查出审计记录是否被截断或改写。</translation>
     </message>
     <message>
-        <source>&amp;Copy the head</source>
-        <translation>复制链头(&amp;C)</translation>
+        <source>&amp;Copy the checkpoint</source>
+        <translation>复制校验点(&amp;C)</translation>
     </message>
     <message>
         <source>It was added to the witness file of this station: %1</source>
@@ -26862,28 +26938,28 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::HeadsComparison</name>
     <message>
-        <source>Paste at least one head, or read a file.</source>
-        <translation>请至少粘贴一个链头，或读取文件。</translation>
+        <source>Paste at least one checkpoint, or read a file.</source>
+        <translation>请至少粘贴一个校验点，或读取文件。</translation>
     </message>
     <message>
         <source>A public key has 64 digits, 0 to 9 and a to f; this one has %1 characters.</source>
         <translation>公钥为 64 位（0 至 9、a 至 f）；此处有 %1 个字符。</translation>
     </message>
     <message>
-        <source>Saved heads</source>
-        <translation>已保存的链头</translation>
+        <source>Saved checkpoints</source>
+        <translation>已保存的校验点</translation>
     </message>
     <message>
-        <source>Heads (*)</source>
-        <translation>链头 (*)</translation>
+        <source>Checkpoints (*)</source>
+        <translation>校验点 (*)</translation>
     </message>
     <message>
-        <source>Comparing the record with saved heads</source>
-        <translation>正在将记录与已保存的链头核对</translation>
+        <source>Comparing the record with saved checkpoints</source>
+        <translation>正在将记录与已保存的校验点核对</translation>
     </message>
     <message>
-        <source>✓ The audit trail matches these heads, and nothing has been removed.</source>
-        <translation>✓ 审计记录与这些链头相符，没有内容被删除。</translation>
+        <source>✓ The audit trail matches these checkpoints, and nothing has been removed.</source>
+        <translation>✓ 审计记录与这些校验点相符，没有内容被删除。</translation>
     </message>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
@@ -26898,12 +26974,12 @@ Leave it empty to remove it.</source>
         <translation>• 条目 %1：%2</translation>
     </message>
     <message>
-        <source>Compare with saved heads</source>
-        <translation>与已保存的链头核对</translation>
+        <source>Compare with saved checkpoints</source>
+        <translation>与已保存的校验点核对</translation>
     </message>
     <message>
-        <source>Paste or type heads, one per line, or read a witness file. Without a public key they must be signed with the key of this station, where it has one.</source>
-        <translation>粘贴或输入链头，每行一个，或读取见证文件。未填公钥时，若本站有密钥，链头须由本站的密钥签名。</translation>
+        <source>Paste or type checkpoints, one per line, or read a witness file. Without a public key they must be signed with the key of this station, where it has one.</source>
+        <translation>粘贴或输入校验点，每行一个，或读取见证文件。未填公钥时，若本站有密钥，校验点须由本站的密钥签名。</translation>
     </message>
     <message>
         <source>Read a &amp;file…</source>
@@ -26925,18 +27001,18 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::HeadsPage</name>
     <message>
-        <source>Heads are signed with the key in %1
-Its public part, to be kept where heads are checked: %2</source>
-        <translation>链头用此文件中的密钥签名：%1
-其公钥请保存在核对链头的地方：%2</translation>
+        <source>Checkpoints are signed with the key in %1
+Its public part, to be kept where checkpoints are checked: %2</source>
+        <translation>校验点用此文件中的密钥签名：%1
+其公钥请保存在核对校验点的地方：%2</translation>
     </message>
     <message>
         <source>⚠ The key is stored beside the record: anyone who takes the folder can sign. Move it elsewhere.</source>
         <translation>⚠ 密钥与记录放在同一文件夹：拿到该文件夹的人就能签名。请移到别处。</translation>
     </message>
     <message>
-        <source>⚠ This station has no key, so its heads are not signed: anyone with write access to where they are kept can replace them.</source>
-        <translation>⚠ 本站没有密钥，链头未签名：能写入其保存位置的人就能替换它们。</translation>
+        <source>⚠ This station has no key, so its checkpoints are not signed: anyone with write access to where they are kept can replace them.</source>
+        <translation>⚠ 本站没有密钥，校验点未签名：能写入其保存位置的人就能替换它们。</translation>
     </message>
     <message>
         <source>&amp;Make a key…</source>
@@ -26947,16 +27023,16 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>更换密钥(&amp;R)…</translation>
     </message>
     <message>
-        <source>Each sign-out of an administrator adds a head to %1. Lines now: %2</source>
-        <translation>管理员每次退出登录时，都会在 %1 中添加一个链头。现有行数：%2</translation>
+        <source>Each sign-out of an administrator adds a checkpoint to %1. Lines now: %2</source>
+        <translation>管理员每次退出登录时，都会在 %1 中添加一个校验点。现有行数：%2</translation>
     </message>
     <message>
         <source>⚠ It is on the same disk as the record: anyone who takes the disk, or puts an older one back, has both. Choose a file on another disk.</source>
         <translation>⚠ 它与记录在同一磁盘上：拿走该磁盘或换回旧磁盘的人同时拥有两者。请选择另一磁盘上的文件。</translation>
     </message>
     <message>
-        <source>⚠ This station keeps no heads. A record that was truncated, rewritten or replaced by an older one would go unnoticed.</source>
-        <translation>⚠ 本站不保存链头。记录若被截断、重写或换成旧的，将无法发现。</translation>
+        <source>⚠ This station keeps no checkpoints. A record that was truncated, rewritten or replaced by an older one would go unnoticed.</source>
+        <translation>⚠ 本站不保存校验点。记录若被截断、重写或换成旧的，将无法发现。</translation>
     </message>
     <message>
         <source>The key has been created. Note its public part elsewhere</source>
@@ -26975,32 +27051,32 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>选择密钥文件</translation>
     </message>
     <message>
-        <source>Keep heads in a file on another disk</source>
-        <translation>将链头保存到另一磁盘上的文件</translation>
+        <source>Keep checkpoints in a file on another disk</source>
+        <translation>将校验点保存到另一磁盘上的文件</translation>
     </message>
     <message>
-        <source>Heads (*)</source>
-        <translation>链头 (*)</translation>
+        <source>Checkpoints (*)</source>
+        <translation>校验点 (*)</translation>
     </message>
     <message>
-        <source>The head was added to the witness file</source>
-        <translation>链头已添加到见证文件</translation>
+        <source>The checkpoint was added to the witness file</source>
+        <translation>校验点已添加到见证文件</translation>
     </message>
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
     </message>
     <message>
-        <source>Head of the audit trail, printed at %1</source>
-        <translation>审计记录的链头，打印于 %1</translation>
+        <source>Checkpoint of the audit trail, printed at %1</source>
+        <translation>审计记录的校验点，打印于 %1</translation>
     </message>
     <message>
-        <source>Heads of the audit trail</source>
-        <translation>审计记录的链头</translation>
+        <source>Checkpoints of the audit trail</source>
+        <translation>审计记录的校验点</translation>
     </message>
     <message>
-        <source>Heads are kept outside the record and reveal what it cannot show itself: entries removed, a trail rewritten, an older file put back.</source>
-        <translation>链头保存在记录之外，用来发现记录本身看不出的改动：条目被删除、审计记录被重写、换回旧文件。</translation>
+        <source>Checkpoints are kept outside the record and reveal what it cannot show itself: entries removed, a trail rewritten, an older file put back.</source>
+        <translation>校验点保存在记录之外，用来发现记录本身看不出的改动：条目被删除、审计记录被重写、换回旧文件。</translation>
     </message>
     <message>
         <source>&amp;Back to the audit trail</source>
@@ -27019,12 +27095,12 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>选择见证文件(&amp;W)…</translation>
     </message>
     <message>
-        <source>Keep &amp;no heads</source>
-        <translation>不保存链头(&amp;N)</translation>
+        <source>S&amp;top saving checkpoints</source>
+        <translation>停止保存校验点(&amp;T)</translation>
     </message>
     <message>
-        <source>Current head</source>
-        <translation>当前链头</translation>
+        <source>Current checkpoint</source>
+        <translation>当前校验点</translation>
     </message>
     <message>
         <source>Length, hash and time of the trail in one line. Keep it where nobody who can change the record can change it: on paper, in an email, on another disk.</source>
@@ -27043,12 +27119,12 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>添加到见证文件(&amp;A)</translation>
     </message>
     <message>
-        <source>No authority confirms when heads were made: only the clocks of the stations say so.</source>
-        <translation>没有机构证实链头的生成时间：只有工作站的时钟为证。</translation>
+        <source>No authority confirms when checkpoints were made: only the clocks of the stations say so.</source>
+        <translation>没有机构证实校验点的生成时间：只有工作站的时钟为证。</translation>
     </message>
     <message>
-        <source>Each head that is kept gets a time stamp (RFC 3161) from %1. Only a hash is sent there.</source>
-        <translation>每个保存的链头都会从 %1 获得时间戳（RFC 3161），只向那里发送一个散列值。</translation>
+        <source>Each checkpoint that is kept gets a time stamp (RFC 3161) from %1. Only a hash is sent there.</source>
+        <translation>每个保存的校验点都会从 %1 获得时间戳（RFC 3161），只向那里发送一个散列值。</translation>
     </message>
     <message>
         <source>Certificate of the authority’s root</source>
@@ -27059,12 +27135,12 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>证书 (*.pem *.crt *.cer)</translation>
     </message>
     <message>
-        <source>Adding the head to the witness file</source>
-        <translation>正在把链头加入见证文件</translation>
+        <source>Adding the checkpoint to the witness file</source>
+        <translation>正在把校验点加入见证文件</translation>
     </message>
     <message>
-        <source>The head was added without a time stamp: %1</source>
-        <translation>链头已加入，但没有时间戳：%1</translation>
+        <source>The checkpoint was added without a time stamp: %1</source>
+        <translation>校验点已加入，但没有时间戳：%1</translation>
     </message>
     <message>
         <source>Time stamp authorit&amp;y</source>
@@ -27771,8 +27847,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>请让人在 %1 中更改记录的位置</translation>
     </message>
     <message>
-        <source>%1. The simulated people and what you did with them are deleted</source>
-        <translation>%1。模拟人员及您与其相关的操作均已删除</translation>
+        <source>%1. The sample data have been deleted</source>
+        <translation>%1。示例数据已删除</translation>
     </message>
 </context>
 <context>
@@ -27888,8 +27964,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>迁移到 PostgreSQL(&amp;V)…</translation>
     </message>
     <message>
-        <source>Head of the audit trail, to be kept elsewhere: %1</source>
-        <translation>审计记录的链头，请另处保存：%1</translation>
+        <source>Checkpoint of the audit trail, to be kept elsewhere: %1</source>
+        <translation>审计记录的校验点，请另处保存：%1</translation>
     </message>
     <message>
         <source>✓ Checked: sound, schema %1, audit entries: %2</source>
@@ -27926,8 +28002,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>%1 名模拟人员及其全部数据将一次删除，无法撤销。</translation>
     </message>
     <message>
-        <source>No key signs the heads of this station, so anybody who can write to that place can replace them. Make one: Audit trail, Heads.</source>
-        <translation>本站的链头没有密钥签名，能写入其保存位置的人都能替换它们。请在“审计记录”的“链头”中生成密钥。</translation>
+        <source>No key signs the checkpoints of this station, so anybody who can write to that place can replace them. Make one: Audit trail, Checkpoints.</source>
+        <translation>本站的校验点没有密钥签名，能写入其保存位置的人都能替换它们。请在“审计记录”的“校验点”中生成密钥。</translation>
     </message>
     <message>
         <source>Disk in use: %1 %</source>
@@ -29883,10 +29959,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>您的待评列表</translation>
     </message>
     <message>
-        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody&apos;s.</source>
-        <translation>案例已盲化，并为您单独打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到他人的评分。</translation>
-    </message>
-    <message>
         <source>Waiting</source>
         <translation>待评</translation>
     </message>
@@ -29949,14 +30021,6 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>%1 submitted so far</source>
         <translation>已提交 %1 份</translation>
-    </message>
-    <message>
-        <source>begun, saved at every keystroke</source>
-        <translation>已开始，每次按键均已保存</translation>
-    </message>
-    <message>
-        <source>nothing is half done</source>
-        <translation>没有未完成的草稿</translation>
     </message>
     <message>
         <source>%1 min</source>
@@ -30031,10 +30095,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>案例 %1</translation>
     </message>
     <message>
-        <source>Called to the real arm and still without your sheet: %1. Not called yet: %2.</source>
-        <translation>已呼叫到实物手臂、您尚未提交：%1。待呼叫：%2。</translation>
-    </message>
-    <message>
         <source>Cases that will be called to the real arm: %1. The sheet follows the call.</source>
         <translation>将被呼叫到实物手臂的案例：%1。评分表会随呼叫打开。</translation>
     </message>
@@ -30042,15 +30102,31 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>%1 h %2 min</source>
         <translation>%1 小时 %2 分钟</translation>
     </message>
-    <message>
-        <source>%1, in %2 of your time: thank you</source>
-        <translation>%1，共用您 %2，谢谢</translation>
-    </message>
     <message numerus="yes">
         <source>%n case(s) fit into ten minutes, %1</source>
         <translation>
             <numerusform>十分钟内可完成 %n 个案例，%1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, nor do you see theirs.</source>
+        <translation>病例已设盲，并单独为您打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到别人的评分。</translation>
+    </message>
+    <message>
+        <source>%1 (%2). Thank you</source>
+        <translation>%1（%2）。谢谢</translation>
+    </message>
+    <message>
+        <source>in progress, saved automatically</source>
+        <translation>进行中，自动保存</translation>
+    </message>
+    <message>
+        <source>none in progress</source>
+        <translation>没有进行中的</translation>
+    </message>
+    <message>
+        <source>Live sheets outstanding: %1. Not called yet: %2.</source>
+        <translation>待交的现场评分表：%1。尚未呼叫：%2。</translation>
     </message>
 </context>
 <context>
@@ -30804,10 +30880,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>无</translation>
     </message>
     <message>
-        <source>as they are now</source>
-        <translation>当前数据</translation>
-    </message>
-    <message>
         <source>Preparing the report</source>
         <translation>正在准备报告</translation>
     </message>
@@ -30972,6 +31044,10 @@ Its public part, to be kept where heads are checked: %2</source>
 Looking at results before the end of a study makes false findings more likely; every report of this data set will say that it is interim, and why:</source>
         <translation>%1。
 在研究结束前查看结果会增加误判的可能；由此数据集生成的每份报告都会说明这是中期结果，以及原因：</translation>
+    </message>
+    <message>
+        <source>live data</source>
+        <translation>实时数据</translation>
     </message>
 </context>
 <context>
@@ -32213,12 +32289,12 @@ Looking at results before the end of a study makes false findings more likely; e
         <translation>在实物手臂上训练</translation>
     </message>
     <message>
-        <source>This timer logs your training time. The tracker records the instrument.</source>
-        <translation>此计时器记录您的训练时间。跟踪器正在记录器械。</translation>
+        <source>Training time is logged, and the tracker records the instrument.</source>
+        <translation>训练时间会被记录，跟踪器记录器械。</translation>
     </message>
     <message>
-        <source>This timer logs your training time. Nothing is recorded.</source>
-        <translation>此计时器记录您的训练时间。不作其他记录。</translation>
+        <source>Only training time is logged.</source>
+        <translation>只记录训练时间。</translation>
     </message>
 </context>
 <context>
@@ -33043,8 +33119,8 @@ Looking at results before the end of a study makes false findings more likely; e
         <translation>错误次数过多，请等待 %1</translation>
     </message>
     <message>
-        <source>The head of the audit trail was not kept: %1</source>
-        <translation>未能保存审计记录的链头：%1</translation>
+        <source>The checkpoint of the audit trail was not kept: %1</source>
+        <translation>未能保存审计记录的校验点：%1</translation>
     </message>
 </context>
 <context>
@@ -33054,20 +33130,20 @@ Looking at results before the end of a study makes false findings more likely; e
         <translation>无法为此创建文件夹：%1</translation>
     </message>
     <message>
-        <source>Look round: simulated people</source>
-        <translation>浏览：模拟人员</translation>
-    </message>
-    <message>
-        <source>Everybody here is simulated. All of it is deleted when you sign out</source>
-        <translation>此处所有人员均为模拟。退出登录后全部删除</translation>
-    </message>
-    <message>
         <source>You are a simulated physician. Sign out to return to your own account</source>
         <translation>您现在是模拟医师。退出登录即可恢复自己的身份</translation>
     </message>
     <message>
         <source>You are a simulated trainee. Sign out to return to your own account</source>
         <translation>您现在是模拟学员。退出登录即可恢复自己的身份</translation>
+    </message>
+    <message>
+        <source>Sample data: everybody here is simulated, and everything is deleted at sign-out</source>
+        <translation>示例数据：这里的所有人都是模拟的，退出登录时全部删除</translation>
+    </message>
+    <message>
+        <source>Sample data</source>
+        <translation>示例数据</translation>
     </message>
 </context>
 <context>
@@ -34161,10 +34237,6 @@ T-02,master,17</translation>
         <translation>按住操作笔上的按钮不放。</translation>
     </message>
     <message>
-        <source>Hold the left mouse button or Space, and keep it held.</source>
-        <translation>按住鼠标左键或空格键不放。</translation>
-    </message>
-    <message>
         <source>Turn to the mark on the dial</source>
         <translation>转到表盘上的标记处</translation>
     </message>
@@ -34193,12 +34265,16 @@ T-02,master,17</translation>
         <translation>松开时不要猛拉；器官自行回转。</translation>
     </message>
     <message>
-        <source>That was a whole twist</source>
-        <translation>一次完整的扭转完成了</translation>
+        <source>Press and hold the left mouse button or Space.</source>
+        <translation>按住鼠标左键或空格键。</translation>
     </message>
     <message>
-        <source>Go on as you like; the debrief shows this run afterwards.</source>
-        <translation>可以继续练习；之后训练复盘会显示本次操作。</translation>
+        <source>First twist done</source>
+        <translation>第一次扭转已完成</translation>
+    </message>
+    <message>
+        <source>Keep practising; the debrief shows this run afterwards.</source>
+        <translation>请继续练习；结束后可在总结中查看本次操作。</translation>
     </message>
 </context>
 <context>
@@ -34434,10 +34510,6 @@ T-02,master,17</translation>
 <context>
     <name>torsio::gui::VisitBar</name>
     <message>
-        <source>You are looking round among simulated people. Whose desk?</source>
-        <translation>您正在浏览模拟人员的中心。查看谁的工作台？</translation>
-    </message>
-    <message>
         <source>Trainee</source>
         <translation>学员</translation>
     </message>
@@ -34448,6 +34520,10 @@ T-02,master,17</translation>
     <message>
         <source>Administrator</source>
         <translation>管理员</translation>
+    </message>
+    <message>
+        <source>Sample data. View as:</source>
+        <translation>示例数据。请选择身份：</translation>
     </message>
 </context>
 </TS>

@@ -34,7 +34,7 @@ export class QueuePage {
     return h('div', { class: 'page-head' },
       h('div', {},
         h('h1', {}, t('Your queue')),
-        h('p', { class: 'quiet' }, t("Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody's."))),
+        h('p', { class: 'quiet' }, t("Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, nor do you see theirs."))),
       next
         ? h('a', { class: 'button primary', href: `#case/${encodeURIComponent(next)}` }, words)
         : h('p', { class: 'good' }, words));
@@ -63,7 +63,7 @@ export class QueuePage {
     return h('section', { class: 'figures', 'aria-label': t('Progress') },
       waiting,
       card(t('Drafts'), figure(queue.drafts),
-        queue.drafts > 0 ? t('begun, saved at every keystroke') : t('nothing is half done')),
+        queue.drafts > 0 ? t('in progress, saved automatically') : t('none in progress')),
       card(t('Time needed'), t('%1 min', figure(Math.ceil(queue.minutes))),
         queue.in_ten_minutes > 0
           ? t('%1 {case fits|cases fit} into ten minutes', queue.in_ten_minutes)

@@ -28,7 +28,7 @@ constexpr std::size_t kTriedTriangles = 25'000;
 constexpr std::array kRootShares{0.5, 0.6, 0.4, 0.7, 0.2, 0.0};  // of a branch's width, into the organ
 constexpr std::array kRootTurns{0.8, 1.0, 1.2};     // from along the branch to away from the organ
 constexpr std::array kCutShares{0.03, 0.1};         // of the length, from an end
-constexpr double kMostBehindCuts = 0.25;            // of the surface
+constexpr double kMaxBehindCuts = 0.25;             // of the surface
 constexpr std::array kCapShares{0.04, 0.06, 0.08};  // radius of a disc, of the organ's largest side
 
 bool refusedAmong(const std::vector<OrganFinding>& findings) {
@@ -252,7 +252,7 @@ class Fitting {
       }
       for (std::future<FittedOrgan>& one : tried) {
         FittedOrgan fitted = one.get();
-        const bool usable = !fitted.refused() && fitted.judgement.measures.caps <= kMostBehindCuts;
+        const bool usable = !fitted.refused() && fitted.judgement.measures.caps <= kMaxBehindCuts;
         if (usable && countAccepted(fitted) > (best ? countAccepted(*best) : 0)) {
           best = std::move(fitted);
           best->otherEnds = true;

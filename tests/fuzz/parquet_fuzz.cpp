@@ -21,8 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     torsio::ParquetTable table(kFile.holding(torsio::fuzz::textOf(data + 1, size - 1)), "f", columns);
     std::vector<std::string> cells;
-    constexpr int kMostRows = 5'000;
-    for (int row = 0; row < kMostRows && table.next(cells); ++row) {
+    constexpr int kMaxRows = 5'000;
+    for (int row = 0; row < kMaxRows && table.next(cells); ++row) {
       if (cells.size() != columns.size()) {
         std::abort();
       }

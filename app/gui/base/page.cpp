@@ -75,7 +75,7 @@ constexpr std::array kPages{
     PageFacts{PageId::kAudit, "administrator.audit", "audit", QT_TRANSLATE_NOOP("Pages", "Audit trail"),
               kAuditView},
     PageFacts{PageId::kHeads, "administrator.heads", "",
-              QT_TRANSLATE_NOOP("Pages", "Heads of the audit trail"), kAuditView},
+              QT_TRANSLATE_NOOP("Pages", "Checkpoints of the audit trail"), kAuditView},
     PageFacts{PageId::kMaintenance, "administrator.maintenance", "maintenance",
               QT_TRANSLATE_NOOP("Pages", "Maintenance"), kDatabaseBackup},
     PageFacts{PageId::kRestore, "administrator.restore", "", QT_TRANSLATE_NOOP("Pages", "Restore"),

@@ -112,7 +112,7 @@ void QueuePage::enter(const QVariant&) {
 void QueuePage::retranslate() {
   heading_->setTexts(tr("Your queue"),
                      tr("Cases are blinded and shuffled for you alone. Nobody sees your marks before "
-                        "all have submitted, and you see nobody's."));
+                        "all have submitted, nor do you see theirs."));
   waiting_.card->setTitle(tr("Waiting"));
   drafts_.card->setTitle(tr("Drafts"));
   time_.card->setTitle(tr("Time needed"));
@@ -136,11 +136,9 @@ void QueuePage::showFigures() {
   const std::int64_t worked_min = (queue_.worked_us + kMinute_us / 2) / kMinute_us;
   const QString worked = worked_min < 60 ? tr("%1 min").arg(worked_min)
                                          : tr("%1 h %2 min").arg(worked_min / 60).arg(worked_min % 60);
-  waiting_.words->setText(worked_min == 0 ? submitted
-                                          : tr("%1, in %2 of your time: thank you").arg(submitted, worked));
+  waiting_.words->setText(worked_min == 0 ? submitted : tr("%1 (%2). Thank you").arg(submitted, worked));
   drafts_.figure->setText(locale.toString(static_cast<qlonglong>(queue_.drafts)));
-  drafts_.words->setText(queue_.drafts > 0 ? tr("begun, saved at every keystroke")
-                                           : tr("nothing is half done"));
+  drafts_.words->setText(queue_.drafts > 0 ? tr("in progress, saved automatically") : tr("none in progress"));
   const auto minutes = static_cast<int>(std::ceil(queue_.minutes));
   time_.figure->setText(tr("%1 min").arg(locale.toString(minutes)));
   const QString from =
@@ -160,7 +158,7 @@ void QueuePage::showDoors() {
           ? tr("Score the reference runs and see how far you are from the panel.")
           : tr("Before the first case: score the reference runs and see how far you are from the panel."));
   live_.text->setText(queue_.liveCalled > 0
-                          ? tr("Called to the real arm and still without your sheet: %1. Not called yet: %2.")
+                          ? tr("Live sheets outstanding: %1. Not called yet: %2.")
                                 .arg(queue_.liveCalled)
                                 .arg(queue_.liveWaiting)
                           : tr("Cases that will be called to the real arm: %1. The sheet follows the call.")

@@ -371,7 +371,7 @@ void FirstRunPanel::showAccounts(const std::vector<StartAccount>& accounts) {
                      .arg(tr("Sign-in name"), tr("Role"), tr("Start password"));
   QString plain;
   for (const StartAccount& account : accounts) {
-    const QString role = account.role == "trainee" ? tr("Trainee") : tr("Physician who scores");
+    const QString role = account.role == "trainee" ? tr("Trainee") : tr("Rater");
     const QString login = toQString(account.login);
     const QString password = toQString(account.startPassword);
     text += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td><td><code>%3</code></td></tr>")
@@ -388,13 +388,13 @@ void FirstRunPanel::showAccounts(const std::vector<StartAccount>& accounts) {
 void FirstRunPanel::retranslate() {
   const int step = steps_->currentIndex();
   const QString headings[] = {tr("Welcome to Torsio"), tr("The first administrator"),
-                              tr("Where records are kept"), tr("Something to try it with"),
+                              tr("Where records are kept"), tr("Sample data (optional)"),
                               tr("Accounts of the demonstration")};
   const QString reasons[] = {
       tr("Four short steps set up your centre. Nothing is written before the last one."),
-      tr("This person lets others in. There is no default password; choose one of at least fifteen "
-         "characters, a short "
-         "sentence for example."),
+      tr("This person creates all other accounts. There is no default password; choose one of at least "
+         "fifteen "
+         "characters, a short sentence for example."),
       tr("One computer, or a server that several stations share."),
       tr("A demonstration cohort shows every screen with content: 30 simulated trainees, ten physicians, 900 "
          "marks."),
@@ -405,17 +405,16 @@ void FirstRunPanel::retranslate() {
   why_->setText(reasons[step]);
   nameField(languageLabel_, tr("Lan&guage"));
   nameField(centreLabel_, tr("&Name of the centre"));
-  look_->setText(tr("Look round with simulated people"));
+  look_->setText(tr("Explore with sample data"));
   lookTrainee_->setText(tr("As a &trainee"));
   lookPhysician_->setText(tr("As a &physician"));
   lookAdministrator_->setText(tr("As an &administrator"));
-  lookNote_->setText(
-      tr("Needs no password. Everything is in a separate folder, which is removed when you sign out."));
+  lookNote_->setText(tr("No password needed. Sample data are deleted at sign-out."));
   centre_->setPlaceholderText(tr("Skills laboratory, city hospital"));
   nameField(loginLabel_, tr("Sign-in &name"));
   nameField(passwordLabel_, tr("&Password"));
   nameField(againLabel_, tr("Repeat p&assword"));
-  without_->setText(tr("&Begin empty"));
+  without_->setText(tr("&Start empty"));
   withoutNote_->setText(tr("People, curricula and cohorts are entered or imported."));
   with_->setText(tr("With a &demonstration cohort"));
   withNote_->setText(
@@ -425,7 +424,7 @@ void FirstRunPanel::retranslate() {
   retranslateDatabase();
   back_->setText(tr("Back"));
   back_->setVisible(step > kCentre && step < kAccounts);
-  next_->setText(step == kAccounts ? tr("I have noted them")
+  next_->setText(step == kAccounts ? tr("I've saved these passwords")
                                    : (step == kDemonstration ? tr("Set up") : tr("Next")));
 }
 

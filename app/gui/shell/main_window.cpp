@@ -445,8 +445,7 @@ bool MainWindow::signOut(const QString& reason) {
   if (simulated_->end()) {
     openDatabase();
     if (!reason.isEmpty() && stack_->currentWidget() == &founding_->panel()) {
-      founding_->panel().say(
-          tr("%1. The simulated people and what you did with them are deleted").arg(reason));
+      founding_->panel().say(tr("%1. The sample data have been deleted").arg(reason));
     }
     return true;
   }

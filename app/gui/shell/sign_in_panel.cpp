@@ -70,7 +70,7 @@ void HeadNotice::retranslate() {
   }
   const AnchoredHead head = readHead(head_.line);
   const QDateTime time = QDateTime::fromMSecsSinceEpoch(head.utc_us / 1000, Qt::UTC);
-  heading_->setText(tr("Head of the audit trail"));
+  heading_->setText(tr("Checkpoint of the audit trail"));
   facts_->setText(tr("%Ln entry(s), %1 UTC, %2", nullptr, static_cast<int>(head.length))
                       .arg(QStringLiteral("%1 %2").arg(dateText(time.date()),
                                                        time.time().toString(QStringLiteral("HH:mm:ss"))),
@@ -79,13 +79,14 @@ void HeadNotice::retranslate() {
   hash_->setText(hash.left(hash.size() / 2) + QLatin1Char('\n') + hash.mid(hash.size() / 2));
   hash_->setAccessibleName(tr("Hash of the newest entry: %1").arg(hash));
   if (!head_.trouble.str().empty()) {
-    where_->setText(tr("The head was not saved. %1").arg(toQString(head_.trouble)));
+    where_->setText(tr("The checkpoint was not saved. %1").arg(toQString(head_.trouble)));
   } else if (!head_.witness.empty()) {
     where_->setText(
         tr("It was added to the witness file of this station: %1").arg(toQString(head_.witness.string())));
   } else {
     where_->setText(
-        tr("This station keeps no heads. Copy the head or write it down and keep it away from the record: it "
+        tr("This station keeps no checkpoints. Copy the checkpoint or write it down and keep it away from "
+           "the record: it "
            "shows later whether the trail was truncated or rewritten."));
   }
   if (!head_.noStamp.empty()) {
@@ -93,7 +94,7 @@ void HeadNotice::retranslate() {
                     tr("It has no time stamp. %1").arg(toQString(head_.noStamp)));
   }
   setLook(where_, "caution", !head_.trouble.str().empty() || !head_.noStamp.empty());
-  copy_->setText(tr("&Copy the head"));
+  copy_->setText(tr("&Copy the checkpoint"));
 }
 
 void HeadNotice::changeEvent(QEvent* event) {
@@ -205,7 +206,7 @@ void SignInPanel::tellHead(const std::optional<LeftHead>& head) {
     return;
   }
   if (head->line.empty()) {
-    say(tr("The head of the audit trail was not kept: %1").arg(toQString(head->trouble)), true);
+    say(tr("The checkpoint of the audit trail was not kept: %1").arg(toQString(head->trouble)), true);
     return;
   }
   head_->tell(*head);

@@ -55,7 +55,7 @@ void VisitBar::setSeen(VisitedDesk desk) {
 }
 
 void VisitBar::retranslate() {
-  sentence_->setText(tr("You are looking round among simulated people. Whose desk?"));
+  sentence_->setText(tr("Sample data. View as:"));
   desks_.at(VisitedDesk::kTrainee)->setText(tr("Trainee"));
   desks_.at(VisitedDesk::kPhysician)->setText(tr("Physician"));
   desks_.at(VisitedDesk::kAdministrator)->setText(tr("Administrator"));
@@ -75,7 +75,7 @@ SimulatedDesks::SimulatedDesks(OpenRecord& record, Founding& founding, QWidget* 
 SimulatedDesks::~SimulatedDesks() = default;
 
 QString SimulatedDesks::visitorsSentence() {
-  return tr("Everybody here is simulated. All of it is deleted when you sign out");
+  return tr("Sample data: everybody here is simulated, and everything is deleted at sign-out");
 }
 
 void SimulatedDesks::lookRound(VisitedDesk first) {
@@ -89,7 +89,7 @@ void SimulatedDesks::lookRound(VisitedDesk first) {
   round_->first = first;
   FirstRunChoice choice;
   choice.locator = round_->folder.filePath(QStringLiteral("torsio.sqlite"));
-  choice.first.centre = tr("Look round: simulated people").toStdString();
+  choice.first.centre = tr("Sample data").toStdString();
   choice.first.login = "visitor";
   choice.first.password = randomStartPassword();
   choice.first.language = languageCode(founding_.panel().language()).toStdString();

@@ -280,7 +280,7 @@ void BriefingPage::fill() {
   const bool graded = desk_.graded;
   title_->setText(toQString(Text(step_.module.title)));
   mode_->setText(graded ? tr("Graded run: it counts as an attempt.") : tr("Practice: nothing is graded."));
-  what_->setTitle(tr("What is asked for"));
+  what_->setTitle(tr("Your task"));
   how_->setTitle(tr("How to do it"));
   const std::shared_ptr<const Detorsion> undone = untwistingOf(shell().assets(), step_.module);
   undone_ = undone != nullptr;
@@ -298,7 +298,7 @@ void BriefingPage::fill() {
   }
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
-  able_->setTitle(tr("When you count as competent"));
+  able_->setTitle(tr("How competence is decided"));
   able_->setVisible(competence_.planned.attempts > 0);
   if (competence_.planned.attempts > 0) {
     design_->setText(StationLabels::competenceRule(competence_));

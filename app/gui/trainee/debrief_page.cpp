@@ -34,7 +34,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kLaidOut_ms = 300;
-constexpr std::size_t kMostGapsShown = 5;
+constexpr std::size_t kMaxGapsShown = 5;
 
 }  // namespace
 
@@ -324,13 +324,12 @@ void DebriefPage::fillNotes() {
     add("earlier", StationLabels::earlier(*debrief_.earlier));
   }
   if (!debrief_.forceFelt) {
-    add("forceNotFelt",
-        tr("Force was shown, not felt: the device of this run gives none. Its measures are computed."));
+    add("forceNotFelt", tr("No haptic device: force was computed, not felt."));
   }
   if (!debrief_.servoTrouble.empty()) {
     add("servoTrouble",
         (debrief_.forceFelt ? tr("The force felt did not match the computed force throughout: %1. %2.")
-                            : tr("The run was not computed evenly throughout: %1. %2."))
+                            : tr("The computer could not keep up: %1. %2."))
             .arg(toQString(debrief_.servoTrouble), toQString(debrief_.servoRemedy)));
   }
 }
@@ -348,7 +347,7 @@ void DebriefPage::fillRealArm() {
   const auto length = [](const Seconds& one) { return one.to_s - one.from_s; };
   std::stable_sort(longest.begin(), longest.end(),
                    [&](const Seconds& a, const Seconds& b) { return length(a) > length(b); });
-  longest.resize(std::min(longest.size(), kMostGapsShown));
+  longest.resize(std::min(longest.size(), kMaxGapsShown));
   std::sort(longest.begin(), longest.end(),
             [](const Seconds& a, const Seconds& b) { return a.from_s < b.from_s; });
   QStringList places;

@@ -389,8 +389,8 @@ bool RunNotice::showRun(const TrainingRun& run, Device device, bool tracked) {
   }
   if (real) {
     say(tr("Train on the real arm"), clockTimeLeft(run.remainingInPhase_us()),
-        tracked ? tr("This timer logs your training time. The tracker records the instrument.")
-                : tr("This timer logs your training time. Nothing is recorded."),
+        tracked ? tr("Training time is logged, and the tracker records the instrument.")
+                : tr("Only training time is logged."),
         {});
   }
   return real;

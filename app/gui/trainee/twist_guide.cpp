@@ -115,7 +115,7 @@ void TwistGuide::showStep() {
     case Step::kClose:
       what_->setText(tr("Close the jaw"));
       how_->setText(haptic_ ? tr("Press the button of the stylus and keep it pressed.")
-                            : tr("Hold the left mouse button or Space, and keep it held."));
+                            : tr("Press and hold the left mouse button or Space."));
       break;
     case Step::kTurn:
       what_->setText(tr("Turn to the mark on the dial"));
@@ -131,8 +131,8 @@ void TwistGuide::showStep() {
       how_->setText(tr("Release without a jerk; the organ turns back by itself."));
       break;
     case Step::kDone:
-      what_->setText(tr("That was a whole twist"));
-      how_->setText(tr("Go on as you like; the debrief shows this run afterwards."));
+      what_->setText(tr("First twist done"));
+      how_->setText(tr("Keep practising; the debrief shows this run afterwards."));
       break;
   }
 }

@@ -250,11 +250,11 @@ Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
             .passwordShownUtc_us = kNoPasswordToShow,
             .serverToken = repository(session).openSimulatedSession(user.id)};
   }
-  refuseParameter(
-      physician ? Text::tr("there is no simulated physician here")
-                : Text::tr("there is no simulated trainee here"),
-      Text::tr("people"),
-      Text::tr("Set up a centre with a demonstration cohort, or look round before the first set-up"));
+  refuseParameter(physician ? Text::tr("there is no simulated physician here")
+                            : Text::tr("there is no simulated trainee here"),
+                  Text::tr("people"),
+                  Text::tr("Set up a centre with a demonstration cohort, or explore with sample data before "
+                           "the first set-up"));
 }
 
 void signOut(SessionContext& session) {

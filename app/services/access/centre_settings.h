@@ -82,7 +82,7 @@ inline constexpr CentreSetting kPanelWaits = setting::yesNo(
     "review.panel_waits", "yes",
     Text::tr("Raters see the panel's marks only after all their own sheets of the occasion"), true);
 inline constexpr CentreSetting kSignMinutes = setting::whole(
-    "sign_minutes", "15", 0, 60, Text::verbatim("One password entry signs for (0: one signature)"),
+    "sign_minutes", "15", 0, 60, Text::verbatim("Ask for the password again after (0: at every signature)"),
     Text::verbatim("%1 min"));
 inline constexpr CentreSetting kIdleWarn_min = setting::whole(
     "idle_warn_minutes", "4", 1, 59, Text::verbatim("An idle station warns after"), Text::verbatim("%1 min"));
@@ -107,9 +107,9 @@ inline constexpr CentreSetting kLearningRecords{
     "torsio xapi set"};
 inline constexpr CentreSetting kLearningRecordStore = setting::words(
     "learning_record_store", 4000, Text::verbatim("Store of the learning records"), "torsio xapi set");
-inline constexpr CentreSetting kStampAuthority =
-    setting::words("stamp_authority", 40'000, Text::verbatim("Authority that stamps heads of the trail"),
-                   "torsio audit authority");
+inline constexpr CentreSetting kStampAuthority = setting::words(
+    "stamp_authority", 40'000, Text::verbatim("Authority that stamps checkpoints of the trail"),
+    "torsio audit authority");
 inline constexpr CentreSetting kLanguage =
     setting::words("language", 10, Text::verbatim("Language at sign-in"), "the first run");
 

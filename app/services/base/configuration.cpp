@@ -7,6 +7,7 @@
 #include <QtGlobal>
 
 #include "app/services/base/nearest_name.h"
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 
@@ -15,9 +16,8 @@ namespace torsio {
 namespace {
 
 constexpr const char* kOwnFile = "TORSIO_CONFIG";
-constexpr const char* kUsualFile = "/etc/torsio/torsio.conf";
+constexpr const char* kDefaultFile = "/etc/torsio/torsio.conf";
 constexpr const char* kPasswords = "PGPASSFILE";
-constexpr std::string_view kEditorsMark = "\xEF\xBB\xBF";  // a byte order mark, which some put first
 
 std::string withoutBlanks(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r";
@@ -94,11 +94,7 @@ Configuration Configuration::read(const std::filesystem::path& file) {
     throw Error(ErrorCode::kFileUnreadable, Text::tr("%1 cannot be read", file.string()), "",
                 Text::tr("Check that the file exists and that this account may read it"));
   }
-  std::string bytes = readFile(file);
-  if (bytes.starts_with(kEditorsMark)) {
-    bytes.erase(0, kEditorsMark.size());
-  }
-  std::istringstream text(std::move(bytes));
+  std::istringstream text{std::string(withoutByteOrderMark(readFile(file)))};
   std::string whole;
   for (int number = 1; std::getline(text, whole); ++number) {
     const std::string line = withoutBlanks(withoutComment(whole));
@@ -154,7 +150,7 @@ std::filesystem::path configurationFile() {
     return qgetenv(kOwnFile).toStdString();
   }
   std::error_code missing;
-  return std::filesystem::exists(kUsualFile, missing) ? kUsualFile : "";
+  return std::filesystem::exists(kDefaultFile, missing) ? kDefaultFile : "";
 }
 
 void loadConfiguration() {

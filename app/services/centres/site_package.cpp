@@ -26,7 +26,7 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "torsio-site 1\n";
-constexpr std::size_t kMostColumns = 200;
+constexpr std::size_t kMaxColumns = 200;
 constexpr std::size_t kLongestName = 100;
 constexpr std::size_t kLongestText = std::size_t{64} << 20U;     // bytes of one value
 constexpr std::size_t kLongestManifest = std::size_t{8} << 20U;  // bytes
@@ -229,7 +229,7 @@ class Walk {
           changed(file_);
         }
         columns.resize(static_cast<std::size_t>(number(2)));
-        if (columns.size() > kMostColumns) {
+        if (columns.size() > kMaxColumns) {
           changed(file_);
         }
         for (std::string& column : columns) {

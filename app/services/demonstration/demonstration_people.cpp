@@ -429,7 +429,7 @@ DemonstrationUsers fillWithPeople(SessionContext& session, const std::filesystem
   static_cast<void>(fillDemonstration(options, session.connectionWithoutRight()));
   // Content of the pages of the demonstration's trainee and physician.
   if (progress) {
-    progress({Text::tr("Laying out the desks"), kDesksAt, -1.0});
+    progress({Text::tr("Preparing accounts"), kDesksAt, -1.0});
   }
   const DemonstrationStation station =
       storeDemonstrationStation(session.connectionWithoutRight(), session.ids(), assets, session.now_us());

@@ -34,7 +34,7 @@ std::string signedText(const Head& head) {
 }
 
 [[noreturn]] void notReadable(const std::string& line) {
-  refuse(Text::tr("is not the head of an audit trail"), plainLine(line, 80),
+  refuse(Text::tr("is not the checkpoint of an audit trail"), plainLine(line, 80),
          Text::tr("Give a line that torsio audit head printed"));
 }
 
@@ -100,11 +100,11 @@ void requireWitness(const fs::path& witness, const std::string& kept) {
   };
   std::error_code ignored;
   if (fs::is_symlink(fs::symlink_status(witness, ignored))) {
-    refuseFile(Text::tr("is a link: heads are never written through one"));
+    refuseFile(Text::tr("is a link: checkpoints are never written through one"));
   }
   const std::string first = kept.substr(0, kept.find('\n'));
   if (!kept.empty() && !isWhole(first) && cutOffEnd(kept) != kept) {
-    refuseFile(Text::tr("is no file of heads: nothing was written to it"));
+    refuseFile(Text::tr("is no file of checkpoints: nothing was written to it"));
   }
 }
 
@@ -301,7 +301,7 @@ std::vector<std::string> headsOf(const fs::path& witness) {
     }
   }
   if (heads.empty()) {
-    refuse(Text::tr("contains no head of an audit trail"), witness.string(),
+    refuse(Text::tr("contains no checkpoint of an audit trail"), witness.string(),
            Text::tr("Choose the file that torsio audit head --witness wrote"));
   }
   return heads;

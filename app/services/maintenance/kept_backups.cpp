@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostKept = 1000;
+constexpr int kMaxKept = 1000;
 constexpr std::int64_t kMillisecond_us = kSecond_us / 1000;
 constexpr const char* kBeginning = "torsio-";
 const QString kTimeInName = QStringLiteral("yyyy-MM-ddTHHmmss'Z'");
@@ -72,7 +72,7 @@ KeepRule keepRule(const std::string& text) {
   const bool whole =
       !in.fail() && in.peek() == std::char_traits<char>::eof() && comma[0] == ',' && comma[1] == ',';
   if (!whole || numbers[0] < 1 ||
-      std::any_of(std::begin(numbers), std::end(numbers), [](int n) { return n < 0 || n > kMostKept; })) {
+      std::any_of(std::begin(numbers), std::end(numbers), [](int n) { return n < 0 || n > kMaxKept; })) {
     refuseParameter(Text::tr("\"%1\" does not say how many days, weeks and months of backups stay", text), "",
                     Text::tr("Write three numbers, the first at least 1: 7,5,12"));
   }

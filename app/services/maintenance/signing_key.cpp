@@ -72,7 +72,7 @@ SecretKey readKey(const fs::path& file) {
   if (makePrivate(file)) {
     throw Error(ErrorCode::kPermission,
                 Text::tr("other accounts of this computer could read this key until now"), file.string(),
-                Text::tr("Make a new key, and keep this one only to check older heads"));
+                Text::tr("Make a new key, and keep this one only to check older checkpoints"));
   }
   return *key;
 }
@@ -87,7 +87,7 @@ void requireNewKeyFile(const fs::path& file) {
   std::error_code ignored;
   if (fs::exists(fs::symlink_status(file, ignored))) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("exists already"), file.string(),
-                Text::tr("Name a new file: an older key is needed to check older heads"));
+                Text::tr("Name a new file: an older key is needed to check older checkpoints"));
   }
 }
 
@@ -156,10 +156,10 @@ std::string readKept(const fs::path& file) {
                 Text::tr("Choose the file that torsio audit wrote"));
   };
   if (fs::exists(there) && !fs::is_regular_file(there)) {
-    refuseFile(Text::tr("is a pipe, a device or a folder: keys and heads are kept in files"));
+    refuseFile(Text::tr("is a pipe, a device or a folder: keys and checkpoints are kept in files"));
   }
   if (fs::exists(there) && fs::file_size(file, ignored) > kLargest_bytes) {
-    refuseFile(Text::tr("is too large for a file of keys or heads"));
+    refuseFile(Text::tr("is too large for a file of keys or checkpoints"));
   }
   return readFile(file);
 }
@@ -205,13 +205,13 @@ std::string TrustedKeys::flawOf(const std::string& text, const std::string& sign
                                 const std::string& publicKey, std::int64_t at) const {
   const auto found = times_.find(publicKey);
   if (found == times_.end()) {
-    return "the head is not signed by this key";
+    return "the checkpoint is not signed by this key";
   }
   if (!genuine(text, signature, publicKey)) {
-    return "the signature of the head is not genuine";
+    return "the signature of the checkpoint is not genuine";
   }
   const bool inTime = at >= found->second.first && at <= found->second.last;
-  return inTime ? std::string() : "the head is signed by a key that was not in use at its time";
+  return inTime ? std::string() : "the checkpoint is signed by a key that was not in use at its time";
 }
 
 }  // namespace torsio

@@ -102,7 +102,7 @@ class StampCheck {
     const auto place = stamp ? places_.find(stamp->head) : places_.end();
     if (place == places_.end()) {
       findings_.push_back({0, "time stamp", stamp ? plainLine(stamp->head, kShownHash) : "-",
-                           stamp ? "its head is missing, or was changed" : "is not readable"});
+                           stamp ? "its checkpoint is missing, or was changed" : "is not readable"});
       return;
     }
     if (roots_.empty()) {
@@ -203,7 +203,7 @@ std::string stampedBy(const StampAuthority& authority, const std::string& head,
                 answer.status == 0
                     ? Text::tr("the time stamp authority gave no answer: %1", plainLine(answer.body))
                     : Text::tr("the time stamp authority answered with the status %1", answer.status),
-                authority.address, Text::tr("The head is kept without a time stamp; ask again later"));
+                authority.address, Text::tr("The checkpoint is kept without a time stamp; ask again later"));
   }
   (void)stampIn(answer.body, query, authority.certificates);
   return std::string(kStampWord) + " 1 " + stampedHash(head) + " " +
@@ -253,9 +253,9 @@ HeadsVerdict judgeHeads(Connection& connection, const std::vector<std::string>& 
       verdict.proven.push_back({head.length, stamp->utc_us, stamp->authority});
     }
     if (std::abs(head.utc_us - stamp->utc_us) > kClocksDiffer_us) {
-      verdict.notes.push_back(
-          Text::tr("the clock of the station was wrong: the head of entry %1 is dated %2, its time stamp %3",
-                   head.length, formatUtc(head.utc_us), formatUtc(stamp->utc_us)));
+      verdict.notes.push_back(Text::tr(
+          "the clock of the station was wrong: the checkpoint of entry %1 is dated %2, its time stamp %3",
+          head.length, formatUtc(head.utc_us), formatUtc(stamp->utc_us)));
     }
   }
   addProven(verdict);
@@ -264,8 +264,9 @@ HeadsVerdict judgeHeads(Connection& connection, const std::vector<std::string>& 
         Text::tr("%1 time {stamp was|stamps were} not checked: no certificate of the authority is known",
                  check.unchecked()));
   } else if (!missing.empty()) {
-    verdict.notes.push_back(Text::tr("%1 {head has|heads have} no time stamp; the first is of entry %2",
-                                     missing.size(), missing.front()));
+    verdict.notes.push_back(
+        Text::tr("%1 {checkpoint has|checkpoints have} no time stamp; the first is of entry %2",
+                 missing.size(), missing.front()));
   }
   return verdict;
 }

@@ -197,7 +197,7 @@ std::string headNow(SessionContext& session) {
 Text keepHeadNow(SessionContext& session) {
   session.require(Operation::kAuditView);
   if (stationAnchor().witness.empty()) {
-    throw Error(ErrorCode::kUsage, Text::tr("this station keeps no heads"), "",
+    throw Error(ErrorCode::kUsage, Text::tr("this station keeps no checkpoints"), "",
                 Text::tr("Choose a witness file first"));
   }
   return witnessHead(session.connection(), session.now_us()).noStamp;

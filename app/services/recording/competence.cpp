@@ -253,11 +253,8 @@ Text assumptionText(const CompetenceDesign& design) {
 
 Text competenceRuleText(const CompetenceRule& rule) {
   const CompetenceDesign& design = rule.design;
-  const Text which =
-      design.version > 0
-          ? Text::tr("Competence design, version %1", design.version)
-          : Text::tr(
-                "Competence design shipped with the exercise (none was registered before the first attempt)");
+  const Text which = design.version > 0 ? Text::tr("Competence design, version %1", design.version)
+                                        : Text::tr("Default competence rule");
   const Text whole = Text::tr(
       "%1. A run succeeds with: %2. A twist still held when the run ends counts as missed; an interrupted "
       "run "

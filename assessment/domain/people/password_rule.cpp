@@ -192,8 +192,7 @@ void checkPassword(const std::string& password, const std::string& login) {
   const std::string plain = lowered(password);
   const std::string name = lowered(login);
   if (isCommonPassword(password)) {
-    refuse(Text::tr("the password is made of words that are tried first"),
-           Text::tr("Use a sentence of your own"));
+    refuse(Text::tr("the password is too easy to guess"), Text::tr("Use a sentence of your own"));
   }
   if (repeats(plain) || isRun(plain)) {
     refuse(Text::tr("the password is a simple pattern"), Text::tr("Use a sentence of your own"));

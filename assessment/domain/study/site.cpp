@@ -7,7 +7,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kMostInitials = 4;
+constexpr std::size_t kMaxInitials = 4;
 
 bool isLatin(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -23,7 +23,7 @@ std::string firstCentreCode(std::string_view name, const CentreId& id) {
   bool inWord = false;
   for (const char c : name) {
     const bool letter = isLatin(c) || static_cast<unsigned char>(c) >= 0x80U;
-    if (letter && !inWord && isLatin(c) && initials.size() < kMostInitials) {
+    if (letter && !inWord && isLatin(c) && initials.size() < kMaxInitials) {
       initials += capital(c);
     }
     inWord = letter || c == '\'';

@@ -325,7 +325,7 @@ class ZippedFile {
   gzFile file_ = nullptr;
 };
 
-constexpr double kMostWhole = 32767.0;  // that a volume holds
+constexpr double kMaxWhole = 32767.0;  // that a volume holds
 
 template <typename Number>
 double numberAt(const unsigned char* place, bool swapped) {
@@ -370,11 +370,11 @@ void requireFits(double value, const NiftiHeader& header, const std::string& whe
   constexpr std::int16_t kDouble = 64;
   const bool whole = header.datatype != kFloat && header.datatype != kDouble && header.slope == 1.0 &&
                      header.intercept == 0.0;
-  if (whole && value > kMostWhole) {
+  if (whole && value > kMaxWhole) {
     throw Error(ErrorCode::kFileUnreadable,
                 Text::tr("N08 a voxel has the number %1; whole numbers up to %2 are read",
                          std::to_string(static_cast<std::int64_t>(std::min(value, 9e15))),
-                         std::to_string(static_cast<int>(kMostWhole))),
+                         std::to_string(static_cast<int>(kMaxWhole))),
                 where, Text::tr("Number the labels of the mask anew, from 1 on"));
   }
 }
@@ -401,12 +401,12 @@ std::size_t readVoxels(ZippedFile& file, const NiftiHeader& header, const std::s
       const double value =
           number(bytes.data() + i * header.voxelBytes, header.swapped) * header.slope + header.intercept;
       none += std::isnan(value) ? 1 : 0;
-      if (value > kMostWhole) {
+      if (value > kMaxWhole) {
         requireFits(value, header, where);
       }
       values.push_back(std::isnan(value)
                            ? kOutsideScan_HU
-                           : static_cast<std::int16_t>(std::lround(std::clamp(value, -32768.0, kMostWhole))));
+                           : static_cast<std::int16_t>(std::lround(std::clamp(value, -32768.0, kMaxWhole))));
     }
   }
   return none;

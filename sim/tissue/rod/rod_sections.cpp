@@ -32,7 +32,7 @@ constexpr double kAboveRest = 0.02;       // z0 over z at rest
 constexpr double kTipSlope = 1.0;         // |dr/ds| from which on an end is a tip
 constexpr double kLongestTip = 0.25;      // of the length
 constexpr double kSmoothedEnd = 0.04;  // of the length: so near to an end the smoothed axis has lost its bend
-constexpr double kMostOnward = 0.5;    // cosine to the centreline: an end that bends more has a hook, no bend
+constexpr double kMaxOnward = 0.5;     // cosine to the centreline: an end that bends more has a hook, no bend
 constexpr double kArcShare = 2.0 / 3.0;  // of a step along the rod; the rest counts compliance
 constexpr int kDivisionPlaces = 1001;
 constexpr int kHalvings = 60;
@@ -245,7 +245,7 @@ class RodMaker {
     const Vec3 pivot = lattice_.frameAt(end).tangent;
     const Vec3 inside = lattice_.frameAt(2.0 * end - arc_m).tangent;
     const Vec3 onward = normalized(2.0 * dot(pivot, inside) * pivot - inside);
-    if (dot(onward, frame.tangent) < kMostOnward) {
+    if (dot(onward, frame.tangent) < kMaxOnward) {
       return frame;
     }
     frame.tangent = onward;

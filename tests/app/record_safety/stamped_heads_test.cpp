@@ -116,12 +116,12 @@ TEST_F(StampedHeads, ABrokenStrangeOrMissingStampIsNamed) {
   write({lines[2], lines[1]});
   const ProgramRun strange = verified();
   EXPECT_EQ(strange.code, kVerifyFailed);
-  EXPECT_NE(strange.out.find("its head is missing, or was changed"), std::string::npos) << strange.out;
+  EXPECT_NE(strange.out.find("its checkpoint is missing, or was changed"), std::string::npos) << strange.out;
 
   write({lines[0], lines[1], lines[2]});
   const ProgramRun missing = verified();
   EXPECT_EQ(missing.code, 0) << "the authority may have been away";
-  EXPECT_NE(missing.out.find("1 head has no time stamp"), std::string::npos) << missing.out;
+  EXPECT_NE(missing.out.find("1 checkpoint has no time stamp"), std::string::npos) << missing.out;
 
   write({lines[0], lines[1].substr(0, lines[1].size() - 8)}, "");  // killed while it was written
   EXPECT_EQ(verified().code, 0);

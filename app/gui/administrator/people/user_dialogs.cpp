@@ -83,7 +83,7 @@ QString roleName(const std::string& code) {
     return UserDialogs::tr("Trainee");
   }
   if (code == "rater") {
-    return UserDialogs::tr("Physician who scores");
+    return UserDialogs::tr("Rater");
   }
   if (code == "administrator") {
     return UserDialogs::tr("Administrator");

@@ -170,7 +170,7 @@ void ReportPreview::showReport() {
   QString text = QStringLiteral("<h1>%1</h1><p>%2</p>").arg(html(model.title), html(model.subtitle));
   if (model.demonstration) {
     text += QStringLiteral("<p style='color:#a04a00'><b>%1</b></p>")
-                .arg(html(Text::tr("Demonstration data: nothing in it is a result.")));
+                .arg(html(Text::tr("Demonstration data: not study results.")));
   }
   QString facts = QStringLiteral("<table cellpadding='3'>");
   for (const auto& [label, value] : model.facts) {

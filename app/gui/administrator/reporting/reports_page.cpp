@@ -137,7 +137,7 @@ void ReportsPage::fillFrozen() {
     const std::string before = chosenId(frozen_);
     const QSignalBlocker quiet(frozen_);
     frozen_->clear();
-    frozen_->addItem(tr("as they are now"), QString());
+    frozen_->addItem(tr("live data"), QString());
     const std::string cohort = chosenId(cohort_);
     if (cohort.empty()) {
       return;
@@ -412,7 +412,7 @@ void ReportsPage::retranslate() {
     campaign_->setItemText(0, tr("none"));
   }
   if (frozen_->count() > 0) {
-    frozen_->setItemText(0, tr("as they are now"));
+    frozen_->setItemText(0, tr("live data"));
   }
   languageLabel_->setText(tr("&Language of the report"));
   language_->setItemText(0, tr("as the window"));

@@ -130,8 +130,9 @@ void AuditPage::retranslate() {
   }
   verify_->setText(tr("&Verify"));
   verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded run"));
-  heads_->setText(tr("&Heads\u2026"));
-  heads_->setToolTip(tr("The key of this station, its witness file, and the check against saved heads"));
+  heads_->setText(tr("&Checkpoints\u2026"));
+  heads_->setToolTip(
+      tr("The key of this station, its witness file, and the check against saved checkpoints"));
   const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything"),
                           tr("Between two dates")};
   for (int index = 0; index < spans.size(); ++index) {

@@ -176,7 +176,7 @@ void DevicesPage::retranslate() {
   nameLabel_->setText(tr("De&vice name"));
   name_->setPlaceholderText(tr("default"));
   others_->setText(tr("Other &programs\u2026"));
-  force_->setText(tr("&Force test: somebody holds the stylus"));
+  force_->setText(tr("&Force test: someone must hold the stylus"));
   table_->setColumns({{tr("Result")}, {tr("Checked")}, {tr("Findings")}, {tr("What to do")}});
   table_->setEmptyText(
       tr("Press \u201c"

@@ -90,7 +90,7 @@ void HeadsComparison::addChecks() {
   const int lines = column->indexOf(lines_) + 1;
   hintBelow(lines, lines_, [this] {
     if (lines_->toPlainText().trimmed().isEmpty()) {
-      return tr("Paste at least one head, or read a file.");
+      return tr("Paste at least one checkpoint, or read a file.");
     }
     return unreadable_ ? translatedLine(*unreadable_) : QString();
   });
@@ -112,7 +112,8 @@ void HeadsComparison::forget() {
 }
 
 void HeadsComparison::loadWitness() {
-  const QString file = askFileToOpen(this, tr("Saved heads"), tr("Heads (*)"), toQString(witness_));
+  const QString file =
+      askFileToOpen(this, tr("Saved checkpoints"), tr("Checkpoints (*)"), toQString(witness_));
   if (file.isEmpty()) {
     return;
   }
@@ -135,7 +136,7 @@ void HeadsComparison::verify() {
   };
   const std::vector<std::string> lines = linesOf(lines_->toPlainText());
   shell_.run(
-      this, tr("Comparing the record with saved heads"),
+      this, tr("Comparing the record with saved checkpoints"),
       [lines, key = public_->text().trimmed().toStdString()](
           SessionContext& session, const ProgressCallback&) { return verifyHeads(session, lines, key); },
       [show](HeadsVerdict verdict) { show(std::move(verdict), std::nullopt); },
@@ -159,10 +160,11 @@ void HeadsComparison::showVerdict() {
   }
   const std::vector<AuditFinding>& findings = found_->findings;
   const bool sound = findings.empty();
-  QStringList lines{sound ? tr("\u2713 The audit trail matches these heads, and nothing has been removed.")
-                          : tr("\u26A0 %n finding(s). Do not report from this record before they are "
-                               "explained.",
-                               nullptr, static_cast<int>(findings.size()))};
+  QStringList lines{
+      sound ? tr("\u2713 The audit trail matches these checkpoints, and nothing has been removed.")
+            : tr("\u26A0 %n finding(s). Do not report from this record before they are "
+                 "explained.",
+                 nullptr, static_cast<int>(findings.size()))};
   for (std::size_t i = 0; i < std::min(findings.size(), kShownFindings); ++i) {
     const AuditFinding& finding = findings[i];
     lines << tr("\u2022 entry %1: %2")
@@ -177,11 +179,12 @@ void HeadsComparison::showVerdict() {
 }
 
 void HeadsComparison::retranslate() {
-  setTitle(tr("Compare with saved heads"));
-  text_->setText(tr(
-      "Paste or type heads, one per line, or read a witness file. Without a public key they must be signed "
-      "with the key of this station, where it has one."));
-  lines_->setAccessibleName(tr("Saved heads"));
+  setTitle(tr("Compare with saved checkpoints"));
+  text_->setText(
+      tr("Paste or type checkpoints, one per line, or read a witness file. Without a public key they must be "
+         "signed "
+         "with the key of this station, where it has one."));
+  lines_->setAccessibleName(tr("Saved checkpoints"));
   load_->setText(tr("Read a &file\u2026"));
   nameField(publicLabel_, tr("Public &key"));
   public_->setPlaceholderText(tr("that of this station"));

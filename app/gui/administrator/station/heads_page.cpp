@@ -136,7 +136,8 @@ void HeadsPage::read() {
 void HeadsPage::showStation() {
   QString key;
   if (!heads_.publicKey.empty()) {
-    key = tr("Heads are signed with the key in %1\nIts public part, to be kept where heads are checked: %2")
+    key = tr("Checkpoints are signed with the key in %1\nIts public part, to be kept where checkpoints are "
+             "checked: %2")
               .arg(toQString(heads_.anchor.key), toQString(heads_.publicKey));
     if (heads_.keyBesideRecord) {
       key += QLatin1Char('\n') +
@@ -144,9 +145,10 @@ void HeadsPage::showStation() {
                 "sign. Move it elsewhere.");
     }
   } else {
-    key = tr(
-        "\u26A0 This station has no key, so its heads are not signed: anyone with write access to where they "
-        "are kept can replace them.");
+    key =
+        tr("\u26A0 This station has no key, so its checkpoints are not signed: anyone with write access to "
+           "where they "
+           "are kept can replace them.");
   }
   keyText_->setText(key);
   setLook(keyText_, "caution", heads_.publicKey.empty() || heads_.keyBesideRecord);
@@ -156,7 +158,7 @@ void HeadsPage::showStation() {
   const bool kept = !heads_.anchor.witness.empty();
   if (kept) {
     witness =
-        tr("Each sign-out of an administrator adds a head to %1. Lines now: %2")
+        tr("Each sign-out of an administrator adds a checkpoint to %1. Lines now: %2")
             .arg(toQString(heads_.anchor.witness), locale().toString(static_cast<qlonglong>(heads_.kept)));
     if (heads_.witnessOnDisk) {
       witness += QLatin1Char('\n') +
@@ -164,9 +166,10 @@ void HeadsPage::showStation() {
                     "an older one back, has both. Choose a file on another disk.");
     }
   } else {
-    witness = tr(
-        "\u26A0 This station keeps no heads. A record that was truncated, rewritten or replaced by an older "
-        "one would go unnoticed.");
+    witness =
+        tr("\u26A0 This station keeps no checkpoints. A record that was truncated, rewritten or replaced by "
+           "an older "
+           "one would go unnoticed.");
   }
   if (!heads_.trouble.str().empty()) {
     witness += QLatin1Char('\n') + QStringLiteral("\u26A0 ") + toQString(heads_.trouble);
@@ -175,8 +178,9 @@ void HeadsPage::showStation() {
   setLook(witnessText_, "caution", !kept || heads_.witnessOnDisk || !heads_.trouble.str().empty());
   stampText_->setText(
       heads_.authority.empty()
-          ? tr("No authority confirms when heads were made: only the clocks of the stations say so.")
-          : tr("Each head that is kept gets a time stamp (RFC 3161) from %1. Only a hash is sent there.")
+          ? tr("No authority confirms when checkpoints were made: only the clocks of the stations say so.")
+          : tr("Each checkpoint that is kept gets a time stamp (RFC 3161) from %1. Only a hash is sent "
+               "there.")
                 .arg(toQString(heads_.authority)));
   line_->setPlainText(toQString(head_));
   showButtons();
@@ -230,8 +234,8 @@ void HeadsPage::askOtherKey() {
 }
 
 void HeadsPage::askWitness() {
-  const QString file = askFileToSave(this, tr("Keep heads in a file on another disk"),
-                                     QStringLiteral("torsio-heads"), tr("Heads (*)"));
+  const QString file = askFileToSave(this, tr("Keep checkpoints in a file on another disk"),
+                                     QStringLiteral("torsio-heads"), tr("Checkpoints (*)"));
   if (!file.isEmpty()) {
     keepIn(toPath(file));
   }
@@ -256,12 +260,12 @@ void HeadsPage::askCertificate() {
 
 void HeadsPage::addHead() {
   shell().run(
-      this, tr("Adding the head to the witness file"),
+      this, tr("Adding the checkpoint to the witness file"),
       [](SessionContext& session, const ProgressCallback&) { return keepHeadNow(session); },
       [this](const Text& noStamp) {
         shell().notify(noStamp.empty()
-                           ? tr("The head was added to the witness file")
-                           : tr("The head was added without a time stamp: %1").arg(toQString(noStamp)));
+                           ? tr("The checkpoint was added to the witness file")
+                           : tr("The checkpoint was added without a time stamp: %1").arg(toQString(noStamp)));
         read();
       });
 }
@@ -278,29 +282,30 @@ void HeadsPage::printHead() {
     return;
   }
   QTextDocument document;
-  document.setPlainText(
-      tr("Head of the audit trail, printed at %1").arg(shownTime(shell().session().now_us(), locale())) +
-      QStringLiteral("\n\n") + line_->toPlainText());
+  document.setPlainText(tr("Checkpoint of the audit trail, printed at %1")
+                            .arg(shownTime(shell().session().now_us(), locale())) +
+                        QStringLiteral("\n\n") + line_->toPlainText());
   document.print(&printer);
 }
 
 void HeadsPage::retranslate() {
-  heading_->setTexts(tr("Heads of the audit trail"),
-                     tr("Heads are kept outside the record and reveal what it cannot show itself: entries "
-                        "removed, a trail rewritten, an older file put back."));
+  heading_->setTexts(
+      tr("Checkpoints of the audit trail"),
+      tr("Checkpoints are kept outside the record and reveal what it cannot show itself: entries "
+         "removed, a trail rewritten, an older file put back."));
   back_->setText(tr("&Back to the audit trail"));
   station_->setTitle(tr("This station"));
   useKey_->setText(tr("&Use another key\u2026"));
   witness_->setText(tr("Choose the &witness file\u2026"));
-  noWitness_->setText(tr("Keep &no heads"));
+  noWitness_->setText(tr("S&top saving checkpoints"));
   nameField(addressLabel_, tr("Time stamp authorit&y"));
   stamps_->setText(tr("&Set with its certificate\u2026"));
   noStamps_->setText(tr("No &time stamps"));
-  now_->setTitle(tr("Current head"));
+  now_->setTitle(tr("Current checkpoint"));
   nowText_->setText(
       tr("Length, hash and time of the trail in one line. Keep it where nobody who can change the record can "
          "change it: on paper, in an email, on another disk."));
-  line_->setAccessibleName(tr("Current head"));
+  line_->setAccessibleName(tr("Current checkpoint"));
   copy_->setText(tr("&Copy"));
   print_->setText(tr("&Print\u2026"));
   add_->setText(tr("&Add to the witness file"));

@@ -205,11 +205,12 @@ void MaintenancePage::backUp(const std::filesystem::path& file) {
                            .arg(content.trials)
                            .arg(content.marks)
                            .arg(toQString(file));
-        text +=
-            QLatin1Char('\n') + tr("Head of the audit trail, to be kept elsewhere: %1").arg(toQString(head));
+        text += QLatin1Char('\n') +
+                tr("Checkpoint of the audit trail, to be kept elsewhere: %1").arg(toQString(head));
         if (remindOfKey()) {
-          text += QLatin1Char('\n') + tr("No key signs the heads of this station, so anybody who can write "
-                                         "to that place can replace them. Make one: Audit trail, Heads.");
+          text +=
+              QLatin1Char('\n') + tr("No key signs the checkpoints of this station, so anybody who can write "
+                                     "to that place can replace them. Make one: Audit trail, Checkpoints.");
         }
         backupText_->setText(text);
       });

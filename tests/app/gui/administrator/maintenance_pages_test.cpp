@@ -98,7 +98,7 @@ class HeadsPages : public MaintenancePages {
 TEST_F(HeadsPages, AStationWithoutAKeySaysSoCreatesOneAndReplacesIt) {
   HeadsPage& heads = page();
   EXPECT_TRUE(child<QLabel>(heads, "keyText").text().contains(QStringLiteral("has no key")));
-  EXPECT_TRUE(child<QLabel>(heads, "witnessText").text().contains(QStringLiteral("keeps no heads")));
+  EXPECT_TRUE(child<QLabel>(heads, "witnessText").text().contains(QStringLiteral("keeps no checkpoints")));
   EXPECT_FALSE(child<QPushButton>(heads, "addHead").isEnabled());
   EXPECT_TRUE(child<QPlainTextEdit>(heads, "head").toPlainText().endsWith(QStringLiteral(" - -")));
 
@@ -135,7 +135,7 @@ TEST_F(HeadsPages, AnAdministratorTakesTheHeadAlongWhenSigningOut) {
   auto& notice = child<QWidget>(*window_, "headNotice");
   EXPECT_TRUE(notice.isVisible());
   EXPECT_TRUE(says(QStringLiteral("not signed")));
-  EXPECT_TRUE(says(QStringLiteral("This station keeps no heads")));
+  EXPECT_TRUE(says(QStringLiteral("This station keeps no checkpoints")));
   QTest::mouseClick(&child<QPushButton>(notice, "copyHead"), Qt::LeftButton);
   const QString line = QGuiApplication::clipboard()->text();
   const std::vector<AuditFinding> findings = compareWithHeads(record(), {line.toStdString()}, {});
@@ -157,7 +157,7 @@ TEST_F(HeadsPages, AnAdministratorTakesTheHeadAlongWhenSigningOut) {
   signIn();
   fs::remove_all(in("disk"));  // unplugged
   ASSERT_TRUE(window_->signOut());
-  EXPECT_TRUE(says(QStringLiteral("The head was not saved")));
+  EXPECT_TRUE(says(QStringLiteral("The checkpoint was not saved")));
   EXPECT_EQ(child<QLabel>(notice, "headHash").text().size(), 64 + 1);
 }
 
@@ -168,7 +168,7 @@ TEST_F(HeadsPages, AClosingWindowPrintsWhereTheHeadIsAndStaysOpenIfItIsNowhere) 
 
   EXPECT_FALSE(window_->close());
   EXPECT_TRUE(window_->isVisible());
-  EXPECT_TRUE(says(QStringLiteral("The head was not saved")));
+  EXPECT_TRUE(says(QStringLiteral("The checkpoint was not saved")));
   EXPECT_TRUE(says(QStringLiteral("Close the window once more")));
   EXPECT_EQ(headsOf(in("unplugged/heads")).size(), 1U);
   fs::rename(in("unplugged"), in("disk"));
@@ -205,7 +205,7 @@ TEST_F(HeadsPages, AnInvalidHeadOrKeyIsReportedBelowItsField) {
   lines.setPlainText(QStringLiteral("something else"));
   EXPECT_EQ(hintBelow(heads, lines), QString());
   click(verify);
-  EXPECT_TRUE(hintBelow(heads, lines).contains(QStringLiteral("not the head of an audit trail")))
+  EXPECT_TRUE(hintBelow(heads, lines).contains(QStringLiteral("not the checkpoint of an audit trail")))
       << hintBelow(heads, lines).toStdString();
   EXPECT_TRUE(failures_.isEmpty());
 

@@ -505,8 +505,7 @@ TEST(QueuePage, ShowsHowManyCasesFitIntoTenMinutesAndThanksTheRater) {
 
   const QString said = paintedWordsOf(desk.open<QueuePage>()).join(u' ');
 
-  EXPECT_TRUE(said.contains(QStringLiteral("3 submitted so far, in 12 min of your time: thank you")))
-      << said.toStdString();
+  EXPECT_TRUE(said.contains(QStringLiteral("3 submitted so far (12 min). Thank you"))) << said.toStdString();
   EXPECT_TRUE(said.contains(
       QRegularExpression(QStringLiteral("2 case\\S* fit into ten minutes, at your own pace so far"))))
       << said.toStdString();
