@@ -1309,6 +1309,8 @@ if (last > 1 && nrow(marks) > 0 && !is.null(site)) {
   a <- after[compared]
   if (length(names_of_sites) > 1) {
     put_comparison("centres_compared", length(names_of_sites))
+    put_comparison("centre_term", if (random) "random, as there are five or more" else
+      "fixed, as there are fewer than five")
     found <- centres
     if (!is.null(found)) {
       put_comparison("centre_variance_of_rest", found$rest)
@@ -1770,6 +1772,7 @@ for (group in groups) {
     put_interval("practice", "mean_twist_error_deg", max(0, ends[1]), ends[2], group = group, index = n)
   }
 }
+if (length(left) > 0) put_practice("twists_in_means", in_means)
 
 # ---- Competence: LC-CUSUM ------------------------------------------------------------------------------
 
@@ -1939,6 +1942,23 @@ if (nrow(enrolled) > 0) {
     }
   }
 }
+
+# The flow of participants at each centre of a pooled record.
+if (nrow(enrolled) > 0 && all(grepl("/", enrolled$item))) {
+  centre <- sub("/.*", "", enrolled$item)
+  scored <- function(t, codes) sum(!is.na(score_at[[t]][trainees %in% codes]))
+  for (one in if (length(unique(centre)) > 1) in_order(centre)) {
+    for (group in groups) {
+      own <- enrolled[centre == one & enrolled$group == group, ]
+      at <- function(statistic, value) put("participants", statistic, value, group = group, index = one)
+      at("centre_allocated", nrow(own))
+      at("centre_withdrew", sum(as.numeric(own$value)))
+      at("centre_runs", sum(runs$trainee %in% own$item))
+      at("centre_scored_before", scored(1, own$item))
+      at("centre_scored_at_the_end", scored(last, own$item))
+    }
+  }
+}
 put_record <- function(item, statistic, value, ...) put("record", statistic, value, item = item, ...)
 evaluated <- sum(!is.na(evaluation$mark))
 if (evaluated > 0) put_record("evaluation_marks", "count", evaluated)
@@ -2042,7 +2062,7 @@ methods <- c(
     mixed_model_difference_simultaneous_upper_95 mixed_model_t mixed_model_df mixed_model_p
     mixed_model_p_holm bound_worst bound_worst_lower_95 bound_worst_upper_95 bound_best
     bound_best_lower_95 bound_best_upper_95 pairs_left_open marks_missing_before
-    marks_missing_at_the_end compared centres_compared centre_variance_of_rest centre_variance_of_centres
+    marks_missing_at_the_end compared centres_compared centre_term centre_variance_of_rest centre_variance_of_centres
     centre_difference centre_difference_lower_95 centre_difference_upper_95 centre_difference_holm_lower_95
     centre_difference_holm_upper_95 centre_difference_error centre_difference_df centre_difference_t
     centre_difference_p centre_difference_p_holm difference_without_centre difference_without_centre_lower_95
@@ -2052,7 +2072,8 @@ methods <- c(
     difference_at_centre_lower_95 difference_at_centre_upper_95"),
   kinds_of("participants", "
     received received_as_planned received_nothing received_too_little received_too_much
-    received_other_group trainees groups allocated scored"),
+    received_other_group trainees groups allocated scored centre_allocated centre_withdrew centre_runs
+    centre_scored_before centre_scored_at_the_end"),
   kinds_of("trial", "
     runs minutes twists twists_on_target mean_absolute_error_deg mean_peak_torque_Nm mean_peak_force_N
     measured_runs"),

@@ -156,13 +156,13 @@ class ParquetTable::Reader {
     };
     auto found = std::find_if(leaves_.begin(), leaves_.end(), isIt(wanted));
     std::size_t item = 0;
-    bool ofList = false;
+    bool isItem = false;
     if (const auto named = itemOf(wanted); found == leaves_.end() && named) {
       found = std::find_if(leaves_.begin(), leaves_.end(), isIt(named->first));
       item = named->second;
-      ofList = found != leaves_.end() && found->shape == ParquetLeaf::Shape::kList;
+      isItem = true;
     }
-    if (found == leaves_.end() || (item > 0 && !ofList)) {
+    if (found == leaves_.end() || (isItem && found->shape == ParquetLeaf::Shape::kFlat)) {
       refuseFile(Text::tr("there must be exactly one column '%1'", wanted),
                  Text::tr("Use one of its columns: %1", knownColumns()));
     }
@@ -170,7 +170,7 @@ class ParquetTable::Reader {
       refuse(Text::tr("the column has groups of values, or lists of lists"), file_.placeOf(*found),
              Text::tr("Write each of its numbers as a column of its own"));
     }
-    if (found->shape == ParquetLeaf::Shape::kList && !ofList) {
+    if (found->shape == ParquetLeaf::Shape::kList && !isItem) {
       refuse(Text::tr("each row of the column has a list"), file_.placeOf(*found),
              Text::tr("Name an item of it, counted from 0: %1", found->name + "[0]"));
     }

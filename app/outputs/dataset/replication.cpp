@@ -256,7 +256,10 @@ std::string complaintOfScript(const fs::path& folder) {
     throw Error(ErrorCode::kFileUnreadable, Text::tr("R did not finish"), std::string(kScript),
                 Text::tr("Run it in the folder by hand: Rscript analysis.R"));
   }
-  const std::string said = process.readAll().right(400).trimmed().toStdString();
+  constexpr qsizetype kMaxSaid = 400;  // letters, from the start of a line
+  const QByteArray all = process.readAll();
+  const qsizetype from = all.size() > kMaxSaid ? all.indexOf('\n', all.size() - kMaxSaid) + 1 : 0;
+  const std::string said = all.mid(from).trimmed().toStdString();
   if (!fs::exists(folder / kRecomputed)) {
     throw Error(ErrorCode::kFileUnreadable, Text::tr("R produced no results"), said,
                 Text::tr("Run it in the folder by hand: Rscript analysis.R"));

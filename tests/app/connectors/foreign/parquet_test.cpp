@@ -228,10 +228,9 @@ TEST(ForeignParquet, RefusesWhatItDoesNotReadByName) {
          map["rate_Hz"] = 50;
          map["position"] = {"x", "x", "x"};
        }},
-      {"Name an item of it, counted from 0: state[0]", newer,
-       [](ordered_json& map) { map["position"][0] = "state"; }},
+      {"each row of the column has a list", newer, [](ordered_json& map) { map["position"][0] = "state"; }},
       {"so there is no [99]", newer, [](ordered_json& map) { map["position"][0] = "state[99]"; }},
-      {"exactly one column 'x[1]'", newer, [](ordered_json& map) { map["position"][0] = "x[1]"; }},
+      {"exactly one column 'x[0]'", newer, [](ordered_json& map) { map["position"][0] = "x[0]"; }},
       {"is not a number", newer, [](ordered_json& map) { map["position"][0] = "note"; }},
       {"exactly one column 'px'", good, [](ordered_json& map) { map["position"][0] = "px"; }},
       {"its times are in ms, and the map says s", newer,

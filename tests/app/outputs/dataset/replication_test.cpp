@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,37 @@ using ::testing::HasSubstr;
 using testing::OwnFolder;
 using testing::refusalCode;
 using testing::StudyCentre;
+
+/// The demonstration's cohort as that of several centres, "C1/..."; two of its trainees recorded twists.
+CohortInputs ofCentres(std::size_t centres) {
+  CohortInputs in = testing::demonstrationCohort();
+  std::map<std::string, std::string> qualified;
+  for (std::size_t i = 0; i < in.trainees.size(); ++i) {
+    CohortTrainee& trainee = in.trainees[i];
+    trainee.site = "C" + std::to_string(1 + i % 10 * centres / 10);
+    const std::string code = trainee.site + "/" + trainee.code;
+    qualified[std::exchange(trainee.code, code)] = code;
+  }
+  for (std::size_t s = 1; s <= centres; ++s) {
+    in.sites.push_back("C" + std::to_string(s));
+  }
+  in.trials.resize(2, in.trials.front());
+  for (std::size_t i = 0; i < in.trials.size(); ++i) {
+    TrialSummaryRow& trial = in.trials[i];
+    trial.trialId = "t" + std::to_string(i + 1);
+    trial.trainee = in.trainees[i].code;
+    trial.attempts = {{12.0 + static_cast<double>(i), false}, {5.0, true}, {4.0, true}, {2.0, true}};
+    trial.meanAbsoluteError_deg = (23.0 + static_cast<double>(i)) / 4.0;
+    trial.twistsOnTarget = 3;
+  }
+  for (TrainingMark& mark : in.trainingMarks) {
+    mark.trainee = qualified.at(mark.trainee);
+  }
+  for (auto& mark : in.criterionMarks) {
+    mark.trainee = qualified.at(mark.trainee);
+  }
+  return testing::scored(std::move(in));
+}
 
 class Replication : public ::testing::Test {
  protected:
@@ -94,6 +126,18 @@ TEST_F(Replication, RFindsTheSameNumbersAndAChangedMarkIsFound) {
   ASSERT_GT(changed.differences.size(), 3U);
   EXPECT_THAT(changed.differences.front().str(), HasSubstr("marks.csv was changed after it was written"));
   EXPECT_THAT(changed.differences.back().str(), HasSubstr("expected, R found"));
+}
+
+TEST_F(Replication, RFindsTheNumbersOfSeveralCentres) {
+  if (!hasProgram("Rscript")) {
+    GTEST_SKIP() << "R is not installed";
+  }
+  for (const std::size_t centres : {2U, 5U}) {  // fixed, random
+    write(ofCentres(centres));
+    const ReplicationCheck check = checkReplication(folder_);
+    EXPECT_TRUE(check.same()) << centres << ": " << check.differences.front().str();
+    std::filesystem::remove_all(folder_);
+  }
 }
 
 TEST_F(Replication, FindsAMissingFile) {
