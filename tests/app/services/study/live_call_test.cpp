@@ -217,6 +217,7 @@ TEST_F(LiveDay, ACallOfTheWrongPersonCanBeCancelledUntilSomebodySubmits) {
   EXPECT_NE(refusal([&] { cancelCall(office(), cohort, again.call.id, "slip"); }).find("submitted already"),
             std::string::npos);
   endCall(office(), cohort, again.call.id);
+  centre.passTime_us(1);
 
   const LiveCallId third = callTrainee(office(), request(0));
 
