@@ -105,6 +105,7 @@ void buildProgram(CLI::App& program) {
 #ifndef _WIN32
   addServe(program);
 #endif
+  addSetup(program);
   addStandardSetting(program);
   addStation(program);
   if constexpr (kTrackerBuiltIn) {

@@ -40,6 +40,7 @@ void addReport(CLI::App& program);
 void addSection(CLI::App& program);
 void addSettings(CLI::App& program);
 void addServe(CLI::App& program);
+void addSetup(CLI::App& program);
 void addStandardSetting(CLI::App& program);
 void addStation(CLI::App& program);
 void addStudy(CLI::App& program);

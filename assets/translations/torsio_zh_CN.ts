@@ -21523,10 +21523,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请把该行写成“键 = 值”，或在行首加 #</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no key of the configuration</source>
-        <translation>“%1”不是配置中的键</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is already set in line %2</source>
         <translation>“%1”已在第 %2 行设定</translation>
     </message>
@@ -22065,6 +22061,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>analysis of covariance with the centre as a random effect, one pooled slope</source>
         <translation>以中心为随机效应的协方差分析，共同斜率</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no key of this file</source>
+        <translation>“%1”不是此文件的键</translation>
     </message>
 </context>
 <context>

@@ -7,21 +7,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
+#include "app/services/base/key_file.h"
 #include "sim/core/text.h"
 
 namespace torsio {
-
-/// What may stand behind a key.
-enum class ConfiguredKind : std::uint8_t {
-  kWords,         ///< anything but nothing
-  kYesNo,         ///< "yes" or "no"
-  kLanguageCode,  ///< "en" or "zh_CN"
-  kThemeName,     ///< "light" or "dark"
-  kPath,          ///< an absolute path
-};
 
 /// Whether people may choose otherwise at the station.
 enum class ConfiguredForce : std::uint8_t {
@@ -85,31 +75,23 @@ inline constexpr std::array kConfiguredKeys{
     &kConfiguredBackupFolder, &kConfiguredBackupKeep};
 
 /// The configuration of a computer: one file that its window, commands and review desk read at their start.
-/// Lines are "key = value"; what follows # is a comment; a key stands once. Looks that a user chose are not
-/// in it but in the user's own settings. Immutable.
+/// Looks that a user chose are not in it but in the user's own settings. Immutable.
 class Configuration {
  public:
   /// A computer without a configuration.
   Configuration() = default;
-  /// Throws Error{kFileUnreadable}; Error{kBadData} with the file and the line of the first fault.
+  /// Throws like KeyFile::read().
   [[nodiscard]] static Configuration read(const std::filesystem::path& file);
 
   /// Returns what stands behind the key; empty: nothing.
-  [[nodiscard]] std::optional<std::string> at(const ConfiguredKey& key) const;
+  [[nodiscard]] std::optional<std::string> at(const ConfiguredKey& key) const { return lines_.at(key.name); }
   /// Returns "FILE, line N" of a key that is set.
-  [[nodiscard]] Text placeOf(const ConfiguredKey& key) const;
+  [[nodiscard]] Text placeOf(const ConfiguredKey& key) const { return lines_.placeOf(key.name); }
   /// Empty: there is none.
-  [[nodiscard]] const std::filesystem::path& file() const noexcept { return file_; }
+  [[nodiscard]] const std::filesystem::path& file() const noexcept { return lines_.file(); }
 
  private:
-  struct Line {
-    std::string_view key;
-    std::string value;
-    int number;
-  };
-  [[nodiscard]] const Line* find(const ConfiguredKey& key) const noexcept;
-  std::filesystem::path file_;
-  std::vector<Line> lines_;
+  KeyFile lines_;
 };
 
 /// Returns the file: $TORSIO_CONFIG if set (empty: none), else /etc/torsio/torsio.conf if that exists.
