@@ -22,6 +22,7 @@
 #include "app/outputs/charts/graphics_application.h"
 #include "app/services/base/build_info.h"
 #include "app/services/base/configuration.h"
+#include "app/services/base/log.h"
 #include "sim/core/error.h"
 
 namespace torsio::cli {
@@ -108,6 +109,7 @@ void buildProgram(CLI::App& program) {
   addSetup(program);
   addStandardSetting(program);
   addStation(program);
+  addSupport(program);
   if constexpr (kTrackerBuiltIn) {
     addTracker(program);
   }
@@ -126,13 +128,17 @@ bool isCommand(const CLI::App& program, const std::string& word) {
 
 /// One line on standard error for whatever is being thrown, and its exit code. Call inside a catch block.
 int reportFailure() noexcept {
+  if (logsToFile()) {  // the journal gets the line below
+    writeLog(LogLevel::kError, causeForLog(std::current_exception()));
+  }
   try {
     throw;
   } catch (const Error& error) {
-    std::cerr << "torsio: " << oneLine(error.what()) << '\n';
+    std::cerr << journalPriority(LogLevel::kError) << "torsio: " << oneLine(error.what()) << '\n';
     return static_cast<int>(error.code());
   } catch (const std::exception& error) {
-    std::cerr << "torsio: internal error: " << oneLine(error.what()) << ". Please report this\n";
+    std::cerr << journalPriority(LogLevel::kError) << "torsio: internal error: " << oneLine(error.what())
+              << ". Please report this\n";
     return static_cast<int>(ErrorCode::kInternal);
   }
 }
@@ -155,11 +161,13 @@ int parse(CLI::App& program, std::vector<std::string> words) {
 }
 
 /// These help to find a fault in the configuration of the computer, so they do without it.
-constexpr std::array kWithoutConfiguration{"config", "doctor", "help", "--help", "-h", "--version", "manual"};
+constexpr std::array kWithoutConfiguration{"config", "doctor",    "help",   "--help",
+                                           "-h",     "--version", "manual", "support"};
 
 void configure(const std::string& firstWord) {
   try {
     loadConfiguration();
+    openLog(LogWriter::kPerson);
   } catch (const Error&) {
     if (std::find(kWithoutConfiguration.begin(), kWithoutConfiguration.end(), firstWord) ==
         kWithoutConfiguration.end()) {

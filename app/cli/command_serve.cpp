@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <pthread.h>
 #include <string>
@@ -27,7 +26,9 @@
 #include "app/services/access/session_context.h"
 #include "app/services/access/station_name.h"
 #include "app/services/base/assets.h"
+#include "app/services/base/build_info.h"
 #include "app/services/base/configuration.h"
+#include "app/services/base/log.h"
 #include "app/services/maintenance/interrupted_move.h"
 #include "app/web/http_server.h"
 #include "app/web/own_certificate.h"
@@ -93,13 +94,6 @@ sigset_t endingSignals() {
   return signals;
 }
 
-/// Writes one line to standard error, where the service manager logs it with its own time.
-void writeLog(const std::string& line) {
-  static std::mutex one;
-  const std::lock_guard lock(one);
-  std::cerr << line << "\n";
-}
-
 /// Returns the URLs for browsers: for a desk on all interfaces, one for each name of this machine.
 std::vector<std::string> addressesOf(const ServeArguments& arguments, const web::HttpAddress& address,
                                      bool encrypted, std::uint16_t port) {
@@ -154,7 +148,7 @@ bool waitForTheRecord(const ServeArguments& arguments, const std::string& locato
       }
       if (logged != error.happened()) {
         logged = error.happened();
-        writeLog("Waiting for the database server: " + logged);
+        writeLog(LogLevel::kWarning, "Waiting for the database server: " + logged);
       }
     }
     web::tellServiceManager("STATUS=Waiting for the database server\nEXTEND_TIMEOUT_USEC=30000000");
@@ -218,9 +212,14 @@ class DeskNotice {
 void dropWarningsOfQt() {
   qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
     if (type == QtCriticalMsg || type == QtFatalMsg) {
-      writeLog(message.toStdString());
+      writeLog(LogLevel::kError, message.toStdString());
     }
   });
+}
+
+/// Returns what writes the lines of the desk to the log.
+web::LogLine linesAt(LogLevel level) {
+  return [level](const std::string& line) { writeLog(level, line); };
 }
 
 /// Adds an option whose default may be set in the configuration of the computer.
@@ -231,6 +230,7 @@ void addConfigured(CLI::App& command, const std::string& name, const ConfiguredK
 }
 
 void serve(const ServeArguments& arguments) {
+  openLog(LogWriter::kService);
   dropWarningsOfQt();
   const web::HttpAddress address = web::addressOf(arguments.listen);
   requireEncryption(arguments, address);
@@ -249,15 +249,15 @@ void serve(const ServeArguments& arguments) {
   {
     SessionContext own({locator, stationName(), {}});
     if (const Text moved = settleMove(own); !moved.empty()) {
-      std::cerr << "torsio: " << moved << "\n";
+      writeLog(LogLevel::kWarning, moved.str());
     }
   }
   web::WebDesk desk({.locator = locator,
                      .assets = assetsFolder(),
                      .publicUrl = arguments.publicUrl,
                      .hosts = namesOf(arguments, tls.certificate),
-                     .accessLog = arguments.quiet ? web::LogLine() : writeLog,
-                     .log = writeLog,
+                     .accessLog = arguments.quiet ? web::LogLine() : linesAt(LogLevel::kInfo),
+                     .log = linesAt(LogLevel::kWarning),
                      .openMetrics = arguments.metrics,
                      .strictTransport = !arguments.certificate.empty() || !arguments.publicUrl.empty()});
   web::HttpLimits limits;
@@ -278,6 +278,9 @@ void serve(const ServeArguments& arguments) {
     std::cout << "Browsers ask whether they may trust its certificate, SHA-256 " << fingerprint << "\n";
   }
   std::cout << "Ctrl+C closes it" << std::endl;
+  if (logsToFile()) {
+    writeLog(LogLevel::kInfo, "The review desk of torsio " + softwareVersion() + " is open");
+  }
   notice.write(addresses, fingerprint, arguments.endsWith);
   serveUntilTheEnd(signals, arguments.endsWith, desk);
 }

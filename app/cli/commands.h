@@ -44,6 +44,7 @@ void addSetup(CLI::App& program);
 void addStandardSetting(CLI::App& program);
 void addStation(CLI::App& program);
 void addStudy(CLI::App& program);
+void addSupport(CLI::App& program);
 void addTracker(CLI::App& program);
 void addTwist(CLI::App& program);
 void addXapi(CLI::App& program);

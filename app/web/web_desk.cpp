@@ -6,7 +6,6 @@
 #include <array>
 #include <exception>
 #include <iterator>
-#include <typeinfo>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -15,6 +14,7 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/database_away.h"
 #include "app/services/access/signing.h"
+#include "app/services/base/log.h"
 #include "app/services/study/live_call.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
@@ -191,21 +191,6 @@ HttpResponse answerOf(const std::exception_ptr& thrown, const Wording& wording) 
     return refusal(statusOf(error), error, wording);
   } catch (...) {
     return refused(500, wording);
-  }
-}
-
-/// Describes an exception for the log. Only those of the database are without names and values.
-std::string causeOf(const std::exception_ptr& thrown) {
-  try {
-    std::rethrow_exception(thrown);
-  } catch (const DbError& error) {
-    return error.happened();
-  } catch (const Error& error) {
-    return "error of kind " + std::to_string(static_cast<int>(error.code()));
-  } catch (const std::exception& error) {
-    return typeid(error).name();
-  } catch (...) {
-    return "unknown error";
   }
 }
 
@@ -483,7 +468,7 @@ void WebDesk::lookOut() {
 HttpResponse WebDesk::failure(const std::exception_ptr& thrown, const Route& route, const Wording& wording) {
   HttpResponse response = answerOf(thrown, wording);
   if (response.status >= 500 && !saysDatabaseAway(thrown)) {  // of which the next work tells
-    record_.logCause(route.method + " " + route.path + ": " + causeOf(thrown),
+    record_.logCause(route.method + " " + route.path + ": " + causeForLog(thrown),
                      std::chrono::steady_clock::now());
   }
   return response;

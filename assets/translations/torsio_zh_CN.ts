@@ -27239,6 +27239,18 @@ Its public part, to be kept where checkpoints are checked: %2</source>
         <source>What to do</source>
         <translation>处理办法</translation>
     </message>
+    <message>
+        <source>&amp;Save a report for support…</source>
+        <translation>保存支持报告(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Save a report for support</source>
+        <translation>保存支持报告</translation>
+    </message>
+    <message>
+        <source>Report (*.json)</source>
+        <translation>报告 (*.json)</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::InstrumentOutletDialog</name>
@@ -28032,6 +28044,14 @@ Its public part, to be kept where checkpoints are checked: %2</source>
     <message>
         <source>Ta&amp;ke the move back…</source>
         <translation>撤回迁移(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>正在写入报告</translation>
+    </message>
+    <message>
+        <source>Saved: %1. Read it before you send it</source>
+        <translation>已保存：%1。发送前请先阅读</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include "app/outputs/wording/wording.h"
+#include "app/services/base/log.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {
@@ -169,6 +170,7 @@ QString translatedLine(const Error& error) {
 }
 
 Problem problemOf(const std::exception_ptr& thrown, const Surprise& surprise) {
+  writeLog(LogLevel::kWarning, causeForLog(thrown));
   try {
     std::rethrow_exception(thrown);
   } catch (const Error& error) {

@@ -68,11 +68,18 @@ inline constexpr ConfiguredKey kConfiguredBackupKeep{
     "backup.keep", ConfiguredKind::kWords, ConfiguredForce::kRules,
     Text::verbatim("Backups: newest of so many days, weeks and months that stay; 7,5,12")};
 
+inline constexpr ConfiguredKey kConfiguredLogLevel{
+    "log.level", ConfiguredKind::kLogLevel, ConfiguredForce::kRules,
+    Text::verbatim("Log: the least grave lines that are written: error, warning, info or debug")};
+inline constexpr ConfiguredKey kConfiguredLogFile{
+    "log.file", ConfiguredKind::kPath, ConfiguredForce::kRules,
+    Text::verbatim("Log: file that gets it, instead of the journal or standard error")};
+
 inline constexpr std::array kConfiguredKeys{
     &kConfiguredRecord,       &kConfiguredPassfile,       &kConfiguredStation,   &kConfiguredKiosk,
     &kConfiguredDevice,       &kConfiguredLanguage,       &kConfiguredTheme,     &kConfiguredListen,
     &kConfiguredCertificate,  &kConfiguredCertificateKey, &kConfiguredPublicUrl, &kConfiguredMetrics,
-    &kConfiguredBackupFolder, &kConfiguredBackupKeep};
+    &kConfiguredBackupFolder, &kConfiguredBackupKeep,     &kConfiguredLogLevel,  &kConfiguredLogFile};
 
 /// The configuration of a computer: one file that its window, commands and review desk read at their start.
 /// Looks that a user chose are not in it but in the user's own settings. Immutable.

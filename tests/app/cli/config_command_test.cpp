@@ -42,6 +42,8 @@ TEST_F(ConfigCommand, NamesTheLineOfEveryKindOfFaultAndWhatToWrite) {
       {"language = fr\n", "line 1", "Write en or zh_CN"},
       {"theme = pink  # nice\n", "line 1", "cannot be pink. Write light or dark"},
       {"passfile = pgpass\n", "line 1", "begins with /"},
+      {"log.level = loud\n", "line 1", "Write error, warning, info or debug"},
+      {"log.file = torsio.log\n", "line 1", "begins with /"},
       {"station =\n", "line 1", "has no value"},
       {"station = A\nstation = B\n", "line 2", "already set in line 1"},
       {"record = torsio.sqlite\n", "line 1", "begins with /"},

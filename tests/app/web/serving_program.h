@@ -45,7 +45,7 @@ inline std::string withoutPassword(std::string locator) {
 class ServingProgram {
  public:
   ServingProgram(const ReviewCentre& centre, const std::vector<std::string>& environment,
-                 const std::vector<std::string>& more = {})
+                 const std::vector<std::string>& more = {}, bool quiet = true)
       : port_(freePort()), state_(centre.folder() / "desk.json"), errors_(centre.folder() / "desk.log") {
     std::vector<std::string> arguments{"serve",
                                        "--database",
@@ -55,8 +55,10 @@ class ServingProgram {
                                        "--public-url",
                                        "https://desk.example.org",
                                        "--state",
-                                       state_.string(),
-                                       "--quiet"};
+                                       state_.string()};
+    if (quiet) {
+      arguments.emplace_back("--quiet");
+    }
     arguments.insert(arguments.end(), more.begin(), more.end());
     child_ = startSilent(arguments, TORSIO_PROGRAM, environment, errors_.string());
   }

@@ -3,11 +3,13 @@
 
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 
 namespace torsio::gui {
@@ -36,11 +38,23 @@ InstallationDialog::InstallationDialog(std::vector<InstallationCheck> checks, QW
   table->setRows(std::move(rows));
   table->wrapWhatIsCut();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  auto* report =
+      named(buttons->addButton(tr("&Save a report for support\u2026"), QDialogButtonBox::ActionRole),
+            "supportReport");
+  connect(report, &QPushButton::clicked, this, &InstallationDialog::askForFile);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(words);
   column->addWidget(table, 1);
   column->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &InstallationDialog::reject);
+}
+
+void InstallationDialog::askForFile() {
+  const QString file = askFileToSave(this, tr("Save a report for support"),
+                                     QStringLiteral("torsio-support.json"), tr("Report (*.json)"));
+  if (!file.isEmpty()) {
+    Q_EMIT reportWanted(file);
+  }
 }
 
 }  // namespace torsio::gui

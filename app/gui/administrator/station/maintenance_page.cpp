@@ -25,6 +25,7 @@
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/services/access/move_notice.h"
+#include "app/services/installation/support_report.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/station_anchor.h"
 
@@ -252,8 +253,18 @@ void MaintenancePage::checkComputer() {
       [this](std::vector<InstallationCheck> checks) {
         auto* dialog = new InstallationDialog(std::move(checks), this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
+        connect(dialog, &InstallationDialog::reportWanted, this, &MaintenancePage::saveSupportReport);
         dialog->open();
       });
+}
+
+void MaintenancePage::saveSupportReport(const QString& file) {
+  shell().run(
+      this, tr("Writing the report"),
+      [path = toPath(file)](SessionContext& session, const ProgressCallback&) {
+        writeSupportReport(path, {.locator = session.key().locator, .now_us = session.now_us()});
+      },
+      [this, file] { shell().notify(tr("Saved: %1. Read it before you send it").arg(file)); });
 }
 
 void MaintenancePage::askTakeBack() {

@@ -34,6 +34,7 @@ class MaintenancePage : public Page {
   void testBackup(const std::filesystem::path& file);
   void checkRecord();
   void checkComputer();
+  void saveSupportReport(const QString& file);
   bool removeDemonstration(const std::string& reason);
 
  private:

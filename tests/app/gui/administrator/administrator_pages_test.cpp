@@ -36,6 +36,7 @@
 #include "app/gui/administrator/people/users_page.h"
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/administrator/station/audit_page.h"
+#include "app/gui/administrator/station/installation_dialog.h"
 #include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/language.h"
@@ -51,6 +52,7 @@
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/people/retention.h"
 #include "assessment/results/cohort_report.h"
+#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
@@ -293,6 +295,28 @@ TEST(MaintenancePage, ShowsWhatThisComputerLacksTheWorstFirst) {
   ASSERT_GT(lines.size(), 15);
   EXPECT_TRUE(lines[1].startsWith(QStringLiteral("does not work\tBackup\tno backup is known\tMake one")))
       << lines[1].toStdString();
+  EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST(MaintenancePage, SavesAReportForSupportWithNobodyInIt) {
+  AdministratorDesk office;
+  office.centre.addTrainees(3);
+  auto page = office.open<MaintenancePage>("administrator");
+  child<QPushButton>(*page, "checkComputer").click();
+  office.shell().waitForJobs();
+  auto& dialog = child<InstallationDialog>(*page, "installation");
+  EXPECT_TRUE(child<QPushButton>(dialog, "supportReport").isEnabled());
+  const fs::path file = office.centre.folder() / "support.json";
+
+  Q_EMIT dialog.reportWanted(QString::fromStdString(file.string()));
+  office.shell().waitForJobs();
+
+  const std::string report = readFile(file);
+  EXPECT_NE(report.find("\"name\": \"backup\""), std::string::npos) << report;
+  for (const std::string& name :
+       selectAll(office.centre.connection(), "SELECT full_name FROM person_identity", {}, readText)) {
+    EXPECT_EQ(report.find(name), std::string::npos) << name;
+  }
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
 
