@@ -3541,10 +3541,6 @@
         <translation>请拔下设备，等待十秒，重新插上，再运行厂商的设置工具</translation>
     </message>
     <message>
-        <source>Update Torsio on this machine</source>
-        <translation>请更新本机的 Torsio</translation>
-    </message>
-    <message>
         <source>Update Torsio on this machine, or restore a backup</source>
         <translation>请更新此计算机上的 Torsio，或恢复备份</translation>
     </message>
@@ -22065,6 +22061,18 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>&quot;%1&quot; is no key of this file</source>
         <translation>“%1”不是此文件的键</translation>
+    </message>
+    <message>
+        <source>Update Torsio on this machine to version %1</source>
+        <translation>请将本机的 Torsio 更新到版本 %1</translation>
+    </message>
+    <message>
+        <source>the record on the server has schema %1, and this program needs %2</source>
+        <translation>服务器上记录的结构为 %1，而此程序需要 %2</translation>
+    </message>
+    <message>
+        <source>Let the owner of the record run torsio db prepare-server with this version; until then use the version of before on this machine</source>
+        <translation>请由记录所有者用此版本运行 torsio db prepare-server；在此之前，请在本机使用先前的版本</translation>
     </message>
 </context>
 <context>

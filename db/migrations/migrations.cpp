@@ -159,11 +159,32 @@ void makeRecord(const fs::path& file, const std::vector<Migration>& migrations,
   }
 }
 
-[[noreturn]] void newerSchema(const SchemaState& state, const std::string& where) {
+[[noreturn]] void newerSchema(Connection& connection, const SchemaState& state) {
+  Statement newest =
+      connection.prepare("SELECT software_version FROM schema_migration ORDER BY version DESC LIMIT 1");
+  newest.execute();
+  const std::string writer = newest.step() ? newest.text(0) : "";
   throw Error(ErrorCode::kNewerSchema,
               Text::tr("was written by a newer version of Torsio (schema %1, this program knows %2)",
                        state.version, state.known),
-              where, Text::tr("Update Torsio on this machine"));
+              connection.location(), Text::tr("Update Torsio on this machine to version %1", writer));
+}
+
+/// Throws unless this account may change the tables of a server.
+void requireOwnerOfSchema(Connection& connection, const SchemaState& state) {
+  if (connection.engine() != Engine::kPostgresql || state.version == 0 ||
+      countOf(connection,
+              "SELECT count(*) FROM pg_tables WHERE tablename = 'schema_migration' AND schemaname ="
+              " current_schema() AND pg_has_role(tableowner, 'MEMBER')") > 0) {
+    return;
+  }
+  throw Error(
+      ErrorCode::kPermission,
+      Text::tr("the record on the server has schema %1, and this program needs %2", state.version,
+               state.known),
+      connection.location(),
+      Text::tr("Let the owner of the record run torsio db prepare-server with this version; until then "
+               "use the version of before on this machine"));
 }
 
 }  // namespace
@@ -223,7 +244,7 @@ SchemaState checkSchema(Connection& connection, const std::vector<Migration>& mi
   }
   const bool readable = connection.readOnly() && state.compatibleFrom <= state.known;
   if (state.version > state.known && !readable) {
-    newerSchema(state, connection.location());
+    newerSchema(connection, state);
   }
   for (const AppliedStep& step : applied) {
     if (step.version > state.known) {
@@ -251,6 +272,7 @@ MigrationReport migrate(Connection& connection, const std::vector<Migration>& mi
   if (state.version >= state.known) {
     return report;
   }
+  requireOwnerOfSchema(connection, state);
   if (connection.engine() == Engine::kSqlite && state.version > 0 && options.backup &&
       connection.location() != kInMemory) {
     const fs::path file = connection.location();

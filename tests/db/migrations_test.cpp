@@ -116,6 +116,7 @@ TEST_F(MigrationsTest, RefuseADatabaseOfANewerProgram) {
 
   EXPECT_EQ(refusal.code, ErrorCode::kNewerSchema);
   EXPECT_NE(refusal.text.find("schema 2"), std::string::npos) << refusal.text;
+  EXPECT_NE(refusal.text.find("to version test"), std::string::npos) << "who wrote it: " << refusal.text;
 }
 
 TEST_F(MigrationsTest, AllowReadingANewerCompatibleDatabase) {

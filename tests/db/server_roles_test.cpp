@@ -216,6 +216,29 @@ class ServerRolesTest : public DatabaseTest {
   std::optional<FullRecord> real_;
 };
 
+// A station that was updated before its server changes nothing and says who has to do what; one that is
+// behind names the version that it needs.
+TEST_F(ServerRolesTest, AStationAheadOfOrBehindItsServerSaysWhatToUpdate) {
+  Connection station = openDatabase(stationLocator(), OpenMode::kReadWrite);
+  std::vector<Migration> steps = embeddedMigrations();
+  const std::int64_t next = steps.back().version + 1;
+  steps.push_back(parseMigration("000" + std::to_string(next) + "_next",
+                                 "-- description: next\n-- compatible_from: 1\n"
+                                 "CREATE TABLE a_next (x BIGINT PRIMARY KEY);\n"));
+
+  const Refusal ahead = refusalFrom([&] { migrate(station, steps, {.softwareVersion = "9.1.0"}); });
+
+  EXPECT_EQ(ahead.code, ErrorCode::kPermission) << ahead.text;
+  EXPECT_NE(ahead.text.find("torsio db prepare-server"), std::string::npos) << ahead.text;
+  EXPECT_EQ(checkSchema(station, embeddedMigrations()).version, next - 1);
+
+  migrate(*connection_, steps, {.softwareVersion = "9.1.0", .backup = false});
+  const Refusal behind = refusalFrom([&] { (void)checkSchema(station, embeddedMigrations()); });
+
+  EXPECT_EQ(behind.code, ErrorCode::kNewerSchema) << behind.text;
+  EXPECT_NE(behind.text.find("to version 9.1.0"), std::string::npos) << behind.text;
+}
+
 TEST_F(ServerRolesTest, EveryMutableTableIsDeclaredAndNoAppendOnlyOneCanChange) {
   const std::set<std::string> closed = closedTables();
   ASSERT_TRUE(closed.contains("training_mark"));
