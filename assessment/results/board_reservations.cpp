@@ -127,9 +127,9 @@ std::optional<Text> sameMarks(const CohortInputs& in, const StudyAnalysis& study
   }
   if (in.identity == ReportIdentity::kAggregated) {
     return Text::tr(
-        "%1 {pair of trainees has|pairs of trainees have} more marks in common than chance gives two "
-        "trainees "
-        "of equal skill: check whether somebody was entered twice.",
+        "%1 {pair of trainees has|pairs of trainees have} more identical marks than chance gives two of "
+        "equal "
+        "skill (same rater, same occasion): check whether somebody was entered twice.",
         alike.size());
   }
   std::vector<Text> pairs;
@@ -141,9 +141,8 @@ std::optional<Text> sameMarks(const CohortInputs& in, const StudyAnalysis& study
     pairs.push_back(Text::tr("and %1 more {pair|pairs}", alike.size() - kAlikePairsAtMost));
   }
   return Text::tr(
-      "More marks are the same than chance gives two trainees of equal skill (same rater, same occasion): "
-      "%1. "
-      "Check whether somebody was entered twice.",
+      "These trainees have more identical marks than chance gives two of equal skill (same rater, same "
+      "occasion): %1. Check whether somebody was entered twice.",
       listed(pairs, Text::tr("%1; %2")));
 }
 
@@ -178,8 +177,8 @@ void addWithdrawn(const CohortInputs& in, const Ledger& ledger, Sentences& out) 
     return;
   }
   if (withdrew == everybody) {
-    out.push_back({Text(Text::tr("Everybody withdrew. The answer rests on marks that were given before that: "
-                                 "ask whether it may be used.")),
+    out.push_back({Text(Text::tr("Everybody withdrew. The answer rests on the marks of people who left the "
+                                 "study: ask whether they may be used.")),
                    {gone, all}});
   } else if (withdrew >= kManyWithdrew * everybody || largestShareWithdrawn(in, ledger) >= kManyWithdrew) {
     ReportParagraph sentence{
@@ -200,8 +199,8 @@ void addWithdrawn(const CohortInputs& in, const Ledger& ledger, Sentences& out) 
     if (size > 0.0 && group.number("withdrew").value_or(0.0) == size) {
       const ReportCell own = group("withdrew");
       out.push_back(
-          {Text::tr("Everybody in %1 withdrew: what stands there rests on marks that were given before "
-                    "that.",
+          {Text::tr("Everybody in %1 withdrew: its results rest on the marks of people who left the "
+                    "study.",
                     in.groups[g].name),
            {own}});
     }
@@ -219,15 +218,15 @@ void addContradictions(const CohortInputs& in, const Ledger& ledger, Sentences& 
     const bool ran = at.number("runs").value_or(0.0) > 0.0;
     if (ran && at.number("planned_virtual_min") == 0.0) {
       out.push_back(
-          {Text::tr("%1 was not to train on the simulator, but %2 {run of it is|runs of it are} recorded.",
+          {Text::tr("%1 was not to train on the simulator, but %2 {run is|runs are} recorded for it.",
                     in.groups[g].name, runs.words()),
            {runs}});
     } else if (const ResultsAt times(ledger, {.section = ResultSection::kPractice, .group = ledger.group(g)});
                !ran && !in.trials.empty() && times.number("mean_noted_virtual_min").value_or(0.0) > 0.0) {
       const ReportCell noted = times("mean_noted_virtual_min", fixed(0));
       out.push_back(
-          {Text::tr("%1 has %2 minutes on the simulator noted for each trainee on average, but no run of it "
-                    "is recorded.",
+          {Text::tr("For %1, %2 minutes on the simulator are noted per trainee on average, but no run is "
+                    "recorded.",
                     in.groups[g].name, noted.words()),
            {noted, runs}});
     }

@@ -44,12 +44,20 @@ struct AnsweredPair {
   double pHolm = 1.0;
 };
 
-/// Returns the decimals needed to distinguish the ends of the interval, more than usual if it is narrow.
+/// Returns the decimals needed to distinguish the ends of the interval from each other, and from zero if it
+/// excludes zero.
 int decimalsOf(const Interval& interval) {
   constexpr int kMaxDecimals = 4;
   constexpr double kSteps = 2.0;  // in units of the last decimal, between the ends
+  const double fromZero = interval.lower * interval.upper > 0.0
+                              ? std::min(std::abs(interval.lower), std::abs(interval.upper))
+                              : 1.0;
   int decimals = kPointDecimals;
-  while (decimals < kMaxDecimals && interval.upper - interval.lower < kSteps * std::pow(10.0, -decimals)) {
+  const auto tooFew = [&] {
+    const double step = std::pow(10.0, -decimals);
+    return interval.upper - interval.lower < kSteps * step || fromZero < 0.5 * step;
+  };
+  while (decimals < kMaxDecimals && tooFew()) {
     ++decimals;
   }
   return decimals;
@@ -142,7 +150,7 @@ ReportParagraph answerOf(const CohortInputs& in, const StudyAnalysis& study,
                : Text::tr("Answer: none. The groups are not compared: %1.", Text(study.ancova.reason()));
   }
   if (pairs.empty()) {
-    return Text(Text::tr("Answer: not shown, as too few people are behind it."));
+    return Text(Text::tr("Answer: not shown, because it rests on too few people."));
   }
   std::vector<Text> differing;
   std::vector<Text> others;
@@ -207,24 +215,24 @@ Text allocationOf(const CohortInputs& in) {
 /// Says who is compared in which group.
 Text comparedIn(const CohortInputs& in, const StudyAnalysis& study) {
   const std::int64_t without = std::ssize(leftOutTrainees(study));
-  const bool drawn = !in.allocation.method.empty();
   if (without > 0) {
     return Text::tr(
         "%1 {trainee has|trainees have} no score at one of the two ends and {is|are} not compared; everybody "
         "else is compared in the group in which the record has them.",
         without);
   }
-  return drawn ? Text(Text::tr(
-                     "Everybody is compared in the group to which they were allocated (intention to treat)."))
-               : Text(Text::tr("Everybody is compared in the group in which the record has them."));
+  return in.allocation.asDrawn()
+             ? Text(Text::tr(
+                   "Everybody is compared in the group to which they were allocated (intention to treat)."))
+             : Text(Text::tr("Everybody is compared in the group in which the record has them."));
 }
 
 /// States the training that the groups were to receive and did receive.
 ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   if (in.doses.empty()) {
     return Text(Text::tr(
-        "Training: no training time is in the record. Nothing shows that the groups trained as they are "
-        "named."));
+        "Training: no training time is in the record. Nothing shows that the groups trained as their "
+        "names say."));
   }
   if (!knowsPlanAndTimes(in)) {
     return Text(
@@ -370,9 +378,9 @@ ReportParagraph standardNote(const Ledger& ledger) {
   const ReportCell tooFew = at("verdicts_on_too_few_runs");
   const ReportCell all = at("verdicts_on_too_few_runs", kValues);
   return {
-      Text::tr("%1 After the runs made, a trainee who is inadequate at one exercise is judged competent at "
-               "it in at most %2 of cases; one who is adequate at all of them is not judged competent at "
-               "one of them in at most %3. %4 of %5 {verdict rests|verdicts rest} on too few runs to show "
+      Text::tr("%1 After the runs made, at most %2 of trainees who are inadequate at an exercise are judged "
+               "competent at it, and at most %3 of those who are adequate at every exercise are not judged "
+               "competent at one or more. %4 of %5 {verdict rests|verdicts rest} on too few runs to show "
                "anybody competent.",
                rule, pass.words(), fail.words(), tooFew.words(), all.words()),
       {pass, fail, tooFew, all}};

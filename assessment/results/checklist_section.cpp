@@ -2,12 +2,15 @@
 // What the study says about itself, and the items that three guidelines ask a report for: CONSORT 2025
 // (randomised trials), GRRAS 2011 (reliability and agreement), Cheng et al. 2016 (simulation research,
 // elements beyond CONSORT).
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "assessment/results/report_sections.h"
+#include "sim/core/foreign_recording.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -43,18 +46,19 @@ constexpr ChecklistItem open(std::string_view number, Phrase asks) {
 }
 
 Text designOf(const CohortInputs& in) {
-  if (in.allocation.method.empty()) {
+  const CohortAllocation& draw = in.allocation;
+  if (draw.method.empty()) {
     return {};
   }
-  return in.equivalenceMargin
-             ? Text::tr(
-                   "%1 parallel {group|groups}, drawn; differences, and equivalence within a planned "
-                   "margin",
-                   in.groups.size())
-             : Text::tr("%1 parallel {group|groups}, drawn; differences", in.groups.size());
+  const Text groups =
+      draw.asDrawn()
+          ? Text::tr("%1 parallel {group|groups}, drawn", in.groups.size())
+          : Text::tr("%1 parallel {group|groups}, not as drawn (see the first page)", in.groups.size());
+  return in.hasAnalysisPlan() ? Text::tr("%1; differences, and equivalence within a planned margin", groups)
+                              : Text::tr("%1; differences", groups);
 }
 Text interimOf(const CohortInputs& in) {
-  if (!in.freeze) {
+  if (!in.freeze || in.freeze->sheetsAsked == 0) {
     return {};
   }
   return in.freeze->interim() ? Text::tr("this report is an interim look; see the first page")
@@ -64,7 +68,13 @@ Text randomisationOf(const CohortInputs& in) {
   return in.allocation.method;
 }
 Text concealmentOf(const CohortInputs& in) {
-  return in.allocation.commitment.empty() ? Text() : Text::tr("by a sealed seed with a published hash");
+  const CohortAllocation& draw = in.allocation;
+  if (draw.commitment.empty()) {
+    return {};
+  }
+  return draw.lockedUtc_us == 0 || draw.allocatedBeforeLock > 0
+             ? Text::tr("by a sealed seed, but nothing shows that it was sealed before the first allocation")
+             : Text::tr("by a seed that was sealed, with its hash, before the first allocation");
 }
 Text implementationOf(const CohortInputs& in) {
   return in.allocation.commitment.empty() ? Text() : Text::tr("drawn by the program from the sealed seed");
@@ -77,18 +87,24 @@ Text blindedOf(const CohortInputs& in) {
                         ways.blinded + ways.live + ways.entered);
 }
 Text stationsOf(const CohortInputs& in) {
-  return in.trials.empty() ? Text() : Text::tr("the simulator of Torsio %1", in.softwareVersion);
+  const bool ours = std::any_of(in.trials.begin(), in.trials.end(),
+                                [](const TrialSummaryRow& trial) { return trial.model != kForeignModel; });
+  return ours ? Text::tr("the simulator of Torsio %1", in.softwareVersion) : Text();
 }
 Text unitOf(const CohortInputs& in) {
   return in.trainingMarks.empty() ? Text() : Text::tr("the trainee; repeated marks: see Methods");
 }
 Text independentlyOf(const CohortInputs& in) {
-  return in.markWays.blinded + in.markWays.live == 0
-             ? Text()
-             : Text::tr("yes: nobody sees another's mark before submitting");
+  const MarkWays& ways = in.markWays;
+  const std::int64_t onSheets = ways.blinded + ways.live;
+  return onSheets == 0 ? Text()
+                       : Text::tr(
+                             "%1 of %2 {mark was|marks were} given on sheets, whose raters do not see each "
+                             "other's marks before submitting",
+                             onSheets, onSheets + ways.entered);
 }
 Text dataOf(const CohortInputs& in) {
-  return in.trainingMarks.empty() ? Text() : Text::tr("in the table of numbers (CSV) and the data set");
+  return in.trainingMarks.empty() ? Text() : Text::tr("in the table of numbers (CSV)");
 }
 
 using Items = std::span<const ChecklistItem>;

@@ -69,6 +69,11 @@ struct CohortAllocation {
   std::int64_t enrolledBeforeLock = 0;   ///< trainees enrolled at or before that time
   std::int64_t allocatedBeforeLock = 0;  ///< trainees allocated before that time
   std::int64_t movedByHand = 0;          ///< allocations overridden
+
+  /// Returns whether, as far as the record knows, everybody is in the group that was drawn.
+  [[nodiscard]] bool asDrawn() const noexcept {
+    return !method.empty() && movedByHand == 0 && !replayDiffers;
+  }
 };
 
 /// The frozen data set that the report is made from.

@@ -172,7 +172,8 @@ std::optional<ReportTable> slopesTable(const CohortInputs& in, const StudyAnalys
                            "equal slopes asked for it.",
                            slopes.words()),
                   {},
-                  slopes.keys}};
+                  slopes.keys},
+                 Text::tr("A bound beyond the scale of the marks stands for the end of the scale.")};
   table.provenance.n = resultsAtEnd(ledger).count("trainees_compared");
   table.provenance.missing = resultsAtEnd(ledger).count("marks_missing");
   return table;
@@ -191,11 +192,16 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
                    Text::tr("p (of equality)"), Text::tr("Equal within %1 points (5 %)", margin.words())};
   table.provenance.n = resultsAtEnd(ledger).count(study.mixed ? "mixed_model_marks" : "trainees_compared");
   table.provenance.missing = resultsAtEnd(ledger).count("marks_missing");
+  const Text plan =
+      in.hasAnalysisPlan()
+          ? Text::tr("Planned with the cohort: a difference of at most %1 points does not matter.",
+                     margin.words())
+          : Text::tr("The margin of %1 points was imported with the study: nothing shows when it was chosen.",
+                     margin.words());
   table.notes = {
-      {Text::tr("Planned with the cohort: a difference of at most %1 points does not matter. Equal: the 90 % "
-                "interval lies within -%1 to %1, which is where p is below 0.05. Not shown to be equal does "
-                "not say that the groups differ.",
-                margin.words()),
+      {Text::tr("%1 Equal: the 90 % interval lies within -%2 to %2, which is where p is below 0.05. "
+                "Not shown to be equal does not say that the groups differ.",
+                plan, margin.words()),
        {margin}}};
   for (const PrimaryDifference& pair : primaryDifferences(study)) {
     if (!(pair.error > 0.0)) {

@@ -289,7 +289,7 @@ ReportSection evaluationSection(const CohortInputs& in, const Ledger& ledger) {
     const ReportCell weight =
         ResultsAt(ledger, {.section = ResultSection::kEvaluation, .raterClass = raterClass.id})(
             "class_weight", fixed(kReadableDecimals));
-    classes.push_back(Text::tr("%1 %2 (weight %3)", raters.words(), Text(raterClass.name), weight.words()));
+    classes.push_back(Text::tr("%1 %2 (weight %3)", Text(raterClass.name), raters.words(), weight.words()));
     keys.push_back(raters.key);
     keys.push_back(weight.key);
   }

@@ -85,10 +85,11 @@ std::optional<ReportTable> modelDifferencesTable(const CohortInputs& in, const L
   for (const ModelDifference& pair : modelDifferences(in)) {
     const ResultKey key = modelPairKey(in, pair);
     const ResultsAt at(ledger, key);
-    table.rows.push_back({key.model, at("composite_difference", kValues),
-                          at("composite_difference", fixed(2)),
-                          at("composite_difference_holm_95", intervalWith(2), ""),
-                          at("composite_difference_p_holm", kAsP, "")});
+    table.rows.push_back(
+        {Text::verbatim("%1 - %2", in.evaluations[pair.first].model, in.evaluations[pair.second].model),
+         at("composite_difference", kValues), at("composite_difference", fixed(2)),
+         at("composite_difference_holm_95", intervalWith(2), ""),
+         at("composite_difference_p_holm", kAsP, "")});
     if (pair.raters > most) {  // the pair that most raters scored
       most = pair.raters;
       table.provenance.n = at.count("composite_difference", kValues);

@@ -53,6 +53,10 @@ ReportTable groupsTable(const CohortInputs& in, const Ledger& ledger) {
     table.notes = {
         Text::tr("No test of baseline differences is shown. The draw could not be repeated from its seed: a "
                  "difference need not be due to chance.")};
+  } else if (!in.allocation.replayed) {
+    table.notes = {
+        Text::tr("No test of baseline differences is shown. The draw has not been repeated from its seed: "
+                 "nothing here shows that a difference is due to chance.")};
   } else {
     table.notes = {Text::tr(
         "No test of baseline differences is shown: allocation was drawn, so any difference is due to "

@@ -45,7 +45,7 @@ ReportParagraph waysSentence(const MarkWays& ways, bool imported, const ResultsA
   if (ways.entered == all) {
     return {
         Text::tr("Nothing shows that raters were blinded: all marks of the training study (%1) were entered "
-                 "without a sheet of the desk.",
+                 "without a scoring sheet.",
                  marks.words()),
         {marks}};
   }
@@ -55,7 +55,7 @@ ReportParagraph waysSentence(const MarkWays& ways, bool imported, const ResultsA
   return {
       Text::tr("Raters were blinded in part: of %1 {mark|marks} of the training study %2 {was|were} given on "
                "recordings under a case label, %3 live at the real arm, where the rater sees the trainee, "
-               "and %4 {was|were} entered without a sheet of the desk.",
+               "and %4 {was|were} entered without a scoring sheet.",
                marks.words(), blinded.words(), live.words(), entered.words()),
       {marks, blinded, live, entered}};
 }

@@ -157,7 +157,7 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in, const Ledger& 
           "of "
           "the hand; where blood did not come back, it is censored and not in the median. From an ischaemic "
           "dose of 1 on the organ is lost."),
-      Text::tr("Tissue was injured because the jaw or the pull exceeded what it could bear at that moment.")};
+      Text::tr("Tissue hurt: the jaw or the pull exceeded what the tissue could bear at that moment.")};
   table.provenance.formula = Text::tr("medians over runs");
   table.provenance.n = ResultsAt(ledger, runsKey(RunKind::kUntwisting)).count("measured_runs");
   table.provenance.flags = commonFlags(in);

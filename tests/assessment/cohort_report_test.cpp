@@ -15,13 +15,17 @@
 #include "assessment/results/figure_table.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/error.h"
+#include "sim/core/foreign_recording.h"
 #include "tests/support/demonstration_cohort.h"
+#include "tests/support/strange_cohorts.h"
 
 namespace torsio {
 namespace {
 
 using testing::demonstrationCohort;
 using testing::figureNamed;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::tableNamed;
 using testing::withUntwistings;
 
@@ -441,6 +445,9 @@ TEST(Checklist, FillsItselfWhereTheRecordKnows) {
 
   in.statements = {{StudyItem::kRegistration, "ChiCTR 1, 2026-01-05"}};
   in.freeze = CohortFreeze{"final", "b", 1, "admin", true};
+  EXPECT_EQ(answerIn(cohortReport(in), "table-checklist-consort", "16b"), "not recorded")
+      << "nothing shows that every sheet was in";
+  in.freeze->sheetsAsked = in.freeze->sheetsSubmitted = 900;
   in.allocation = {};
   const ReportModel with = cohortReport(in);
   EXPECT_EQ(answerIn(with, "table-statements", "Registration"), "ChiCTR 1, 2026-01-05");
@@ -448,6 +455,39 @@ TEST(Checklist, FillsItselfWhereTheRecordKnows) {
   EXPECT_EQ(answerIn(with, "table-checklist-consort", "16b"), "the data were frozen when every sheet was in");
   EXPECT_EQ(answerIn(with, "table-checklist-consort", "18"), "not recorded") << "no groups were drawn";
   EXPECT_EQ(answerIn(with, "table-checklist-grras", "11"), "see \"Raters\"");
+}
+
+TEST(Checklist, ClaimsNoMoreThanTheFirstPage) {
+  const auto consort = [](const CohortInputs& in, const std::string& item) {
+    return answerIn(cohortReport(in), "table-checklist-consort", item);
+  };
+  CohortInputs in = testing::soundCohort();
+  EXPECT_EQ(consort(in, "9"),
+            "3 parallel groups, drawn; differences, and equivalence within a planned margin");
+  in.allocation.movedByHand = 1;
+  EXPECT_EQ(consort(in, "9"),
+            "3 parallel groups, not as drawn (see the first page); differences, and equivalence within a "
+            "planned margin");
+
+  in.allocation.commitment = std::string(64, 'c');
+  in.allocation.lockedUtc_us = 1;
+  EXPECT_THAT(consort(in, "18"), HasSubstr("sealed, with its hash, before the first allocation"));
+  in.allocation.allocatedBeforeLock = 1;
+  EXPECT_THAT(consort(in, "18"), HasSubstr("nothing shows that it was sealed before"));
+
+  in.markWays = {.blinded = 2, .entered = 898};
+  EXPECT_EQ(
+      answerIn(cohortReport(in), "table-checklist-grras", "9"),
+      "2 of 900 marks were given on sheets, whose raters do not see each other's marks before submitting");
+
+  in.trials.front().model = kForeignModel;
+  for (const ReportSection& section : cohortReport(in).sections) {
+    for (const ReportTable& table : section.tables) {
+      for (const std::vector<ReportCell>& row : table.rows) {
+        EXPECT_THAT(row.back().str(), Not(HasSubstr("the simulator of Torsio"))) << table.id;
+      }
+    }
+  }
 }
 
 }  // namespace

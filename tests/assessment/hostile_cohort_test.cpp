@@ -298,7 +298,10 @@ TEST(HostileCohort, ACriterionThatNobodyCouldAssessHasNoMark) {
 TEST(HostileCohort, AnUnrepeatableDrawIsNotCalledRandom) {
   CohortInputs in = testing::demonstrationCohort();
   in.allocation.method = Text::verbatim("complete permutation");
+  EXPECT_THAT(textOfAll(in), Not(HasSubstr("any difference is due to chance"))) << "nobody repeated the draw";
+  in.allocation.replayed = true;
   EXPECT_THAT(textOfAll(in), HasSubstr("any difference is due to chance"));
+  in.allocation.replayed = false;
   in.allocation.replayDiffers = true;
   EXPECT_THAT(textOfAll(in), Not(HasSubstr("any difference is due to chance")));
   in.allocation = {};
@@ -463,6 +466,23 @@ TEST(StrangeCohort, TheEndsOfANarrowIntervalDoNotReadTheSame) {
   const std::string answer = cohortReport(in).sections.front().paragraphs[4].str();
   EXPECT_THAT(answer, HasSubstr("Group 1 - Group 2: -0.1"));
   EXPECT_FALSE(std::regex_search(answer, std::regex(R"(\[(-?[0-9.]+), \1\])"))) << answer;
+}
+
+TEST(StrangeCohort, AnIntervalThatExcludesZeroDoesNotShowZeroAsAnEnd) {
+  // An end near zero: the first group is moved until the lower end of its interval is just above zero.
+  const auto moved = [](std::int64_t by) {
+    return marking(
+        [by](TrainingMark& mark) { mark.steps += mark.group == 0 && mark.occasion == 2 ? by : 0; });
+  };
+  bool found = false;
+  for (std::int64_t by = -9; by <= 9; ++by) {
+    const CohortInputs in = moved(by);
+    const std::string answer = cohortReport(in).sections.front().paragraphs[4].str();
+    EXPECT_FALSE(std::regex_search(answer, std::regex(R"(\[-?0\.0,[^\]]*\], p [=<] 0\.0[0-4])"))) << answer;
+    EXPECT_FALSE(std::regex_search(answer, std::regex(R"(, -?0\.0\], p [=<] 0\.0[0-4])"))) << answer;
+    found = found || std::regex_search(answer, std::regex(R"(\[-?0\.0[0-9])"));
+  }
+  EXPECT_TRUE(found) << "no interval came near zero";
 }
 
 TEST(StrangeCohort, EveryNumberIsValidAndHasItsLevel) {

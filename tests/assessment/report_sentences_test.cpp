@@ -99,6 +99,16 @@ TEST(ReportSentences, TheCommitmentIsDatedByTheRecord) {
   EXPECT_THAT(saidBy(in), HasSubstr("seed: 0"));
 }
 
+TEST(ReportSentences, AnImportedMarginIsNotCalledPlanned) {
+  CohortInputs in = demonstrationCohort();
+  in.equivalenceMargin = 0.5;
+  const auto note = [&] { return tableIn(cohortReport(in), "table-equivalence")->notes.at(0).str(); };
+  EXPECT_THAT(note(), HasSubstr("Planned with the cohort: a difference of at most 0.50 points"));
+  in.imported = CohortOrigin{"Torsio", "set", std::string(64, 'c'), "admin", 1};
+  EXPECT_THAT(note(), Not(HasSubstr("Planned with")));
+  EXPECT_THAT(note(), HasSubstr("nothing shows when it was chosen"));
+}
+
 TEST(ReportSentences, ARecordingWithoutItsHashIsNotCalledSealed) {
   CohortInputs in = demonstrationCohort();
   EXPECT_THAT(saidBy(in), HasSubstr("Every recording is sealed in the record"));
