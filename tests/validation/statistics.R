@@ -4,8 +4,8 @@ suppressMessages({library(psych); library(car); library(coin); library(lme4); li
 
 rows <- function(name) read.csv(file.path(folder, "tables", paste0(name, ".csv")))
 # One row per target, one column per rater, in file order; missing marks are NA.
-wide <- function(name) {
-  d <- rows(name)
+wide <- function(name) {  # or its rows
+  d <- if (is.data.frame(name)) name else rows(name)
   m <- tapply(d$score, list(factor(d$target, unique(d$target)), factor(d$rater, unique(d$rater))), identity)
   matrix(as.numeric(m), nrow(m))
 }
@@ -23,8 +23,9 @@ before_after <- function() {
   w
 }
 
-icc <- function(name, form, what) {
-  r <- psych::ICC(wide(name), lmer = FALSE)$results
+icc <- function(name, form, what, group = NULL) {
+  d <- rows(name)
+  r <- psych::ICC(if (is.null(group)) wide(name) else wide(d[d$group == group, ]), lmer = FALSE)$results
   r[r$type == c("ICC(1,1)" = "ICC1", "ICC(2,1)" = "ICC2", "ICC(3,1)" = "ICC3", "ICC(1,k)" = "ICC1k",
                 "ICC(2,k)" = "ICC2k", "ICC(3,k)" = "ICC3k")[[form]], what]
 }
@@ -175,6 +176,17 @@ m25 <- function(model, index) {
 s26 <- function(model, index) {
   d <- rows("marks"); d <- d[d$model == model & d$index == index, ]
   mean((d$score - m25(model, index))^2)
+}
+of_index <- function(model, index) { d <- rows("marks"); d[d$model == model & d$index == index, ] }
+# Standard error of M from the spread within the classes, degrees of freedom by Welch and Satterthwaite.
+se25 <- function(model, index) {
+  d <- of_index(model, index); n <- tapply(d$score, d$class, length)[names(class_weights)]
+  part <- class_weights^2 * tapply(d$score, d$class, var)[names(class_weights)] / n
+  list(error = sqrt(sum(part)), df = sum(part)^2 / sum(part^2 / (n - 1)))
+}
+moment25 <- function(model, index) {
+  d <- of_index(model, index)
+  sum(class_weights * tapply((d$score - m25(model, index))^2, d$class, mean)[names(class_weights)])
 }
 # Incomplete marks: lme4's model, mark after ~ group + mean mark before + (1 | subject) + (1 | rater). lme4 stops some 1e-8 from
 # the minimum and lmerTest differentiates numerically; Newton's steps on the restricted likelihood in full matrices settle both.
