@@ -291,9 +291,10 @@ class Composer {
       } else if (seen == shown) {
         out.emplace_back(
             shown > 0
-                ? Text::tr("%1 more {reservation stands|reservations stand} against the answer: all %2 "
-                           "are on the next page, the most serious first.",
-                           reservations - shown, reservations)
+                ? Text::tr(
+                      "%1 more {reservation stands|reservations stand} against the answer. The next page "
+                      "lists all %2, the most serious first.",
+                      reservations - shown, reservations)
                 : Text::tr("%1 {reservation stands against the answer: it is|reservations stand against "
                            "the answer: they are} on the next page, the most serious first.",
                            reservations));
