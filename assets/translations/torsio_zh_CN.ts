@@ -12240,7 +12240,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>Pairs of raters</source>
-        <translation>评分者对数</translation>
+        <translation>评分者的配对数</translation>
     </message>
     <message>
         <source>Marks compared</source>
@@ -18456,11 +18456,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>First group minus second group. Intervals are not adjusted for the number of pairs.</source>
-        <translation>第一组减第二组。区间未按对数校正。</translation>
+        <translation>第一组减第二组。区间未按比较的数目校正。</translation>
     </message>
     <message>
         <source>First group minus second group, scores at the end alone: the adjusted difference can be clear where this one is not. Intervals are not adjusted for the number of pairs.</source>
-        <translation>第一组减第二组，仅比较结束时的分数：调整后的差异可能明确，而这里并不明确。区间未按对数校正。</translation>
+        <translation>第一组减第二组，仅比较结束时的分数：调整后的差异可能明确，而这里并不明确。区间未按比较的数目校正。</translation>
     </message>
     <message>
         <source>Failed runs</source>
@@ -18712,7 +18712,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Every rater is compared with himself or herself: raters who gave every mark of both models. Intervals are adjusted for the number of pairs, as the p values are.</source>
-        <translation>每位评分者与自己比较：仅限对两个模型给出全部分数的评分者。区间与 p 值一样已按对数校正。</translation>
+        <translation>每位评分者与自己比较：仅限对两个模型给出全部分数的评分者。区间与 p 值一样已按比较的数目校正。</translation>
     </message>
     <message>
         <source>Nothing shows that raters were blinded: all marks of the training study (%1) were imported.</source>
@@ -21248,7 +21248,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Intervals are adjusted for the number of pairs, as the p values are (Holm): one excludes zero exactly where p is below 0.05.</source>
-        <translation>区间与 p 值一样按对数校正（Holm 法）：当且仅当 p 小于 0.05 时，区间不包含零。</translation>
+        <translation>区间与 p 值一样按比较的数目校正（Holm 法）：当且仅当 p 小于 0.05 时，区间不包含零。</translation>
     </message>
     <message>
         <source>Study</source>

@@ -158,21 +158,16 @@ class Composer {
                  [](const ReportParagraph& one) { return one.reservation; });
     const std::size_t reservations = rest.paragraphs.size() - 1;
     std::size_t shown = reservations;
-    std::vector<ReportParagraph> paragraphs;
+    std::vector<ReportParagraph> paragraphs = section.paragraphs;
     const std::vector<Item> items = itemsOf(section);
-    const auto found = [&](std::size_t fewest) {
+    const auto found = [&] {
       return std::any_of(kBoard_pt.begin(), kBoard_pt.end(), [&](double points) {
         board_pt_ = points;
-        shown = reservations;
-        paragraphs = section.paragraphs;
-        while (shown > fewest && !fits(section, paragraphs, items)) {
-          paragraphs = withReservations(section.paragraphs, --shown, reservations);
-        }
         return fits(section, paragraphs, items);
       });
     };
-    if (!found(std::min<std::size_t>(1, reservations))) {  // the most serious one should stand there
-      (void)found(0);
+    while (!found() && shown > 0) {  // smaller letters before fewer reservations
+      paragraphs = withReservations(section.paragraphs, --shown, reservations);
     }
     this->section(section, paragraphs);
     flow_.newPage();

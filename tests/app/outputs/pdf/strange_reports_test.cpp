@@ -9,9 +9,10 @@
 #include <string>
 #include <vector>
 
+#include <QProcess>
+#include <QString>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
-#include <qpdf/QPDF.hh>
 
 #include "app/outputs/pdf/pdf_report.h"
 #include "app/outputs/wording/wording.h"
@@ -30,6 +31,34 @@ std::vector<testing::StrangeCohort> everyStrangeCohort() {
     }
   }
   return all;
+}
+
+/// Returns the text of the first page in one line.
+QString firstPrintedPage(const std::filesystem::path& file) {
+  QProcess reader;
+  reader.start(QStringLiteral("pdftotext"), {QStringLiteral("-l"), QStringLiteral("1"),
+                                             QString::fromStdString(file.string()), QStringLiteral("-")});
+  EXPECT_TRUE(reader.waitForFinished()) << "pdftotext of poppler-utils";
+  return QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+}
+
+TEST(StrangeReports, ReservationsStandOnTheFirstPageInSmallerLettersBeforeTheyAreLeftToTheNext) {
+  CohortInputs in = testing::soundCohort();
+  in.markWays = {.live = 900};
+  for (CohortTrainee& trainee : in.trainees) {
+    trainee.withdrew = true;
+  }
+  in.equivalenceMargin.reset();
+  const QTemporaryDir folder;
+  const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "cohort.pdf";
+
+  writePdfReport(cohortReport(in), file);
+
+  const QString page = firstPrintedPage(file);
+  for (const char* said : {"Raters were not blinded", "Everybody withdrew.",
+                           "No plan of the analysis is in the record", "Signatures"}) {
+    EXPECT_TRUE(page.contains(QString::fromLatin1(said))) << said << "\n" << page.toStdString();
+  }
 }
 
 TEST(StrangeReports, AreWritten) {
