@@ -9933,10 +9933,6 @@
         <translation>将起初扭转的器官复位；没有目标角，也没有角度误差。时间为手的时间；血流未恢复者为删失，不计入中位数。缺血剂量达到 1 时器官即丧失。</translation>
     </message>
     <message>
-        <source>Tissue was injured because the jaw or the pull exceeded what it could bear at that moment.</source>
-        <translation>钳夹或牵拉超过组织当时的承受力时即为组织损伤。</translation>
-    </message>
-    <message>
         <source>Simulated trainees who untwist organs that come twisted</source>
         <translation>复位扭转器官的模拟学员</translation>
     </message>
@@ -11995,14 +11991,6 @@ audit trail %3</source>
         <translation>评分者未处于盲态：训练研究的全部 %1 个评分都是在实物手臂旁现场给出的，评分者看得到学员。</translation>
     </message>
     <message>
-        <source>Nothing shows that raters were blinded: all marks of the training study (%1) were entered without a sheet of the desk.</source>
-        <translation>没有任何依据表明评分者处于盲态：训练研究的全部 %1 个评分都不是通过评分台的评分表录入的。</translation>
-    </message>
-    <message>
-        <source>Raters were blinded in part: of %1 {mark|marks} of the training study %2 {was|were} given on recordings under a case label, %3 live at the real arm, where the rater sees the trainee, and %4 {was|were} entered without a sheet of the desk.</source>
-        <translation>评分者部分处于盲态：训练研究的 %1 个评分中，%2 个是在只有案例标签的录制上给出的，%3 个是在实物手臂旁现场给出的（评分者看得到学员），%4 个不是通过评分台的评分表录入的。</translation>
-    </message>
-    <message>
         <source>All models (%1) stood before their raters under hidden labels.</source>
         <translation>全部 %1 个模型都以隐藏标签呈现给评分者。</translation>
     </message>
@@ -12225,10 +12213,6 @@ audit trail %3</source>
     <message>
         <source>Equal within %1 points (5 %)</source>
         <translation>在 %1 分之内等效（5 %）</translation>
-    </message>
-    <message>
-        <source>Planned with the cohort: a difference of at most %1 points does not matter. Equal: the 90 % interval lies within -%1 to %1, which is where p is below 0.05. Not shown to be equal does not say that the groups differ.</source>
-        <translation>随批次计划规定：不超过 %1 分的差异无关紧要。等效：90 % 区间落在 -%1 到 %1 之内，即 p 小于 0.05。未显示等效并不说明各组不同。</translation>
     </message>
     <message>
         <source>not shown</source>
@@ -18347,20 +18331,12 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>各组在训练前就不相同，以标准差计：%1。答案已在直线关系所能达到的范围内对此作了调整。</translation>
     </message>
     <message>
-        <source>Everybody withdrew. The answer rests on marks that were given before that: ask whether it may be used.</source>
-        <translation>所有人都已退出。答案所依据的分数是在此之前给出的：请询问是否可以使用。</translation>
-    </message>
-    <message>
         <source>%1: %2 points %3, %4</source>
         <translation>%1：%2 分 %3，%4</translation>
     </message>
     <message>
         <source>Answer, adjusted for the score before, with the 95 % interval and the p value of each pair after Holm: %1.</source>
         <translation>答案（已按训练前分数调整，附每一对经 Holm 校正的 95 % 区间和 p 值）：%1。</translation>
-    </message>
-    <message>
-        <source>Answer: not shown, as too few people are behind it.</source>
-        <translation>答案：不显示，因为所涉及的人数太少。</translation>
     </message>
     <message>
         <source>Answer: no difference between two groups was shown. The largest, adjusted for the score before, with the 95 % interval and the p value after Holm: %1. The interval of every pair includes zero.</source>
@@ -18381,10 +18357,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Groups: drawn at random (%1).</source>
         <translation>分组：随机抽取（%1）。</translation>
-    </message>
-    <message>
-        <source>Training: no training time is in the record. Nothing shows that the groups trained as they are named.</source>
-        <translation>训练：记录中没有训练时间。无法证明各组确实按其名称进行了训练。</translation>
     </message>
     <message>
         <source>Training: the record has times, but no plan for every group to compare them with.</source>
@@ -19079,10 +19051,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>记录用时</translation>
     </message>
     <message>
-        <source>%1 After the runs made, a trainee who is inadequate at one exercise is judged competent at it in at most %2 of cases; one who is adequate at all of them is not judged competent at one of them in at most %3. %4 of %5 {verdict rests|verdicts rest} on too few runs to show anybody competent.</source>
-        <translation>%1按已完成的练习次数，对某一项目能力不足者被误判为在该项目胜任的概率至多为 %2；对各项目能力均足够者在其中某一项目未被判为胜任的概率至多为 %3。%5 项判定中有 %4 项的练习次数太少，无法证明任何人胜任。</translation>
-    </message>
-    <message>
         <source>Recordings make up %1 of the time noted on the simulator; the rest was spent between the runs, or is not recorded.</source>
         <translation>录制占模拟器登记时间的 %1；其余时间用在各次操作之间，或没有录制。</translation>
     </message>
@@ -19311,24 +19279,12 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>本研究为导入数据：%1。其评分（%2）如何给出、录制（%3）如何产生、分组如何抽签，均不在本记录中。</translation>
     </message>
     <message>
-        <source>%1 parallel {group|groups}, drawn; differences, and equivalence within a planned margin</source>
-        <translation>%1 个平行组，随机抽签分组；检验差异及预定界值内的等效性</translation>
-    </message>
-    <message>
-        <source>%1 parallel {group|groups}, drawn; differences</source>
-        <translation>%1 个平行组，随机抽签分组；检验差异</translation>
-    </message>
-    <message>
         <source>this report is an interim look; see the first page</source>
         <translation>本报告为中期查看；见首页</translation>
     </message>
     <message>
         <source>the data were frozen when every sheet was in</source>
         <translation>全部评分表交齐后冻结数据</translation>
-    </message>
-    <message>
-        <source>by a sealed seed with a published hash</source>
-        <translation>种子密封，其散列值事先公布</translation>
     </message>
     <message>
         <source>drawn by the program from the sealed seed</source>
@@ -19341,14 +19297,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>the trainee; repeated marks: see Methods</source>
         <translation>学员；重复评分见“方法”</translation>
-    </message>
-    <message>
-        <source>yes: nobody sees another&apos;s mark before submitting</source>
-        <translation>是：提交前看不到他人的评分</translation>
-    </message>
-    <message>
-        <source>in the table of numbers (CSV) and the data set</source>
-        <translation>见数值表 (CSV) 和数据集</translation>
     </message>
     <message>
         <source>Structured summary</source>
@@ -20779,18 +20727,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>%1。结论的标准误已考虑这一点（HC3）。</translation>
     </message>
     <message>
-        <source>Everybody in %1 withdrew: what stands there rests on marks that were given before that.</source>
-        <translation>%1 的所有人均已退出：该组的结果基于退出前给出的评分。</translation>
-    </message>
-    <message>
-        <source>%1 was not to train on the simulator, but %2 {run of it is|runs of it are} recorded.</source>
-        <translation>%1 按计划不应在模拟器上训练，但记录中有其 %2 次操作。</translation>
-    </message>
-    <message>
-        <source>%1 has %2 minutes on the simulator noted for each trainee on average, but no run of it is recorded.</source>
-        <translation>%1 每名学员平均登记了 %2 分钟模拟器训练，但没有任何操作记录。</translation>
-    </message>
-    <message>
         <source>Question: do the scores at the end (%1) differ between trainees who trained in different ways: %2?</source>
         <translation>问题：以不同方式训练的学员，其末次成绩（%1）是否不同：%2？</translation>
     </message>
@@ -21179,10 +21115,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>排列顺序：对数据的疑问，差异的其他可能原因，缺失数据，得出结论的方法。</translation>
     </message>
     <message>
-        <source>%1 more {reservation stands|reservations stand} against the answer: all %2 are on the next page, the most serious first.</source>
-        <translation>对结论另有 %1 条保留意见：全部 %2 条见下一页，最重要的在前。</translation>
-    </message>
-    <message>
         <source>Agreement of the raters within the groups, at each occasion</source>
         <translation>各评分时点的组内评分者一致性</translation>
     </message>
@@ -21235,16 +21167,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>全部评分者的均值</translation>
     </message>
     <message>
-        <source>%1 {pair of trainees has|pairs of trainees have} more marks in common than chance gives two trainees of equal skill: check whether somebody was entered twice.</source>
-        <translation>有 %1 对学员的相同评分多于水平相同的两名学员偶然会有的：请检查是否有人被录入了两次。</translation>
-    </message>
-    <message>
         <source>%1 and %2 in %3 of %4</source>
         <translation>%1 与 %2，%4 个评分中有 %3 个相同</translation>
-    </message>
-    <message>
-        <source>More marks are the same than chance gives two trainees of equal skill (same rater, same occasion): %1. Check whether somebody was entered twice.</source>
-        <translation>相同的评分（同一评分者、同一时点）多于水平相同的两名学员偶然会有的：%1。请检查是否有人被录入了两次。</translation>
     </message>
     <message>
         <source>Intervals are adjusted for the number of pairs, as the p values are (Holm): one excludes zero exactly where p is below 0.05.</source>
@@ -22073,6 +21997,110 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Let the owner of the record run torsio db prepare-server with this version; until then use the version of before on this machine</source>
         <translation>请由记录所有者用此版本运行 torsio db prepare-server；在此之前，请在本机使用先前的版本</translation>
+    </message>
+    <message>
+        <source>%1 more {reservation stands|reservations stand} against the answer. The next page lists all %2, the most serious first.</source>
+        <translation>对结论另有 %1 条保留意见。下一页列出全部 %2 条，最重要的在前。</translation>
+    </message>
+    <message>
+        <source>%1 {pair of trainees has|pairs of trainees have} more identical marks than chance gives two of equal skill (same rater, same occasion): check whether somebody was entered twice.</source>
+        <translation>有 %1 对学员的相同评分（同一评分者、同一时点）多于水平相同的两名学员偶然会有的：请检查是否有人被录入了两次。</translation>
+    </message>
+    <message>
+        <source>These trainees have more identical marks than chance gives two of equal skill (same rater, same occasion): %1. Check whether somebody was entered twice.</source>
+        <translation>以下学员的相同评分（同一评分者、同一时点）多于水平相同的两名学员偶然会有的：%1。请检查是否有人被录入了两次。</translation>
+    </message>
+    <message>
+        <source>Everybody withdrew. The answer rests on the marks of people who left the study: ask whether they may be used.</source>
+        <translation>所有人都已退出。答案所依据的是退出研究者的评分：请询问这些评分是否可以使用。</translation>
+    </message>
+    <message>
+        <source>Everybody in %1 withdrew: its results rest on the marks of people who left the study.</source>
+        <translation>%1 的所有人均已退出：该组的结果基于退出研究者的评分。</translation>
+    </message>
+    <message>
+        <source>%1 was not to train on the simulator, but %2 {run is|runs are} recorded for it.</source>
+        <translation>%1 按计划不应在模拟器上训练，但记录中有其 %2 次操作。</translation>
+    </message>
+    <message>
+        <source>For %1, %2 minutes on the simulator are noted per trainee on average, but no run is recorded.</source>
+        <translation>%1 平均每名学员登记了 %2 分钟的模拟器训练，但没有任何操作记录。</translation>
+    </message>
+    <message>
+        <source>Answer: not shown, because it rests on too few people.</source>
+        <translation>答案：不显示，因为所依据的人数太少。</translation>
+    </message>
+    <message>
+        <source>Training: no training time is in the record. Nothing shows that the groups trained as their names say.</source>
+        <translation>训练：记录中没有训练时间。没有任何依据表明各组确实按其名称进行了训练。</translation>
+    </message>
+    <message>
+        <source>%1 After the runs made, at most %2 of trainees who are inadequate at an exercise are judged competent at it, and at most %3 of those who are adequate at every exercise are not judged competent at one or more. %4 of %5 {verdict rests|verdicts rest} on too few runs to show anybody competent.</source>
+        <translation>%1按已完成的操作次数，在某一项目上能力不足的学员中至多 %2 被误判为在该项目胜任；在各项目上能力均足够的学员中至多 %3 在一个或多个项目上未被判为胜任。%5 项判定中有 %4 项的操作次数太少，无法证明任何人胜任。</translation>
+    </message>
+    <message>
+        <source>%1 parallel {group|groups}, drawn</source>
+        <translation>%1 个平行组，随机抽签分组</translation>
+    </message>
+    <message>
+        <source>%1 parallel {group|groups}, not as drawn (see the first page)</source>
+        <translation>%1 个平行组，未按抽签结果分组（见首页）</translation>
+    </message>
+    <message>
+        <source>%1; differences, and equivalence within a planned margin</source>
+        <translation>%1；检验差异及预定界值内的等效性</translation>
+    </message>
+    <message>
+        <source>%1; differences</source>
+        <translation>%1；检验差异</translation>
+    </message>
+    <message>
+        <source>by a sealed seed, but nothing shows that it was sealed before the first allocation</source>
+        <translation>种子密封，但没有任何依据表明密封早于首次分组</translation>
+    </message>
+    <message>
+        <source>by a seed that was sealed, with its hash, before the first allocation</source>
+        <translation>种子在首次分组前连同其散列值一起密封</translation>
+    </message>
+    <message>
+        <source>%1 of %2 {mark was|marks were} given on sheets, whose raters do not see each other&apos;s marks before submitting</source>
+        <translation>%2 个评分中有 %1 个是用评分表给出的，其评分者在提交前看不到彼此的评分</translation>
+    </message>
+    <message>
+        <source>in the table of numbers (CSV)</source>
+        <translation>见数值表 (CSV)</translation>
+    </message>
+    <message>
+        <source>A bound beyond the scale of the marks stands for the end of the scale.</source>
+        <translation>超出评分量表的界限即指量表的端点。</translation>
+    </message>
+    <message>
+        <source>Planned with the cohort: a difference of at most %1 points does not matter.</source>
+        <translation>随批次计划规定：不超过 %1 分的差异无关紧要。</translation>
+    </message>
+    <message>
+        <source>The margin of %1 points was imported with the study: nothing shows when it was chosen.</source>
+        <translation>%1 分的界值随研究一同导入：没有任何依据表明它是何时选定的。</translation>
+    </message>
+    <message>
+        <source>%1 Equal: the 90 % interval lies within -%2 to %2, which is where p is below 0.05. Not shown to be equal does not say that the groups differ.</source>
+        <translation>%1等效：90 % 区间落在 -%2 到 %2 之内，即 p 小于 0.05。未显示等效并不说明各组不同。</translation>
+    </message>
+    <message>
+        <source>No test of baseline differences is shown. The draw has not been repeated from its seed: nothing here shows that a difference is due to chance.</source>
+        <translation>不显示基线差异的检验。抽取结果尚未由种子重现：此处没有任何依据表明差异出于偶然。</translation>
+    </message>
+    <message>
+        <source>Nothing shows that raters were blinded: all marks of the training study (%1) were entered without a scoring sheet.</source>
+        <translation>没有任何依据表明评分者处于盲态：训练研究的全部 %1 个评分都不是用评分表给出的。</translation>
+    </message>
+    <message>
+        <source>Raters were blinded in part: of %1 {mark|marks} of the training study %2 {was|were} given on recordings under a case label, %3 live at the real arm, where the rater sees the trainee, and %4 {was|were} entered without a scoring sheet.</source>
+        <translation>评分者部分处于盲态：训练研究的 %1 个评分中，%2 个是在只有案例标签的录制上给出的，%3 个是在实物手臂旁现场给出的（评分者看得到学员），%4 个不是用评分表给出的。</translation>
+    </message>
+    <message>
+        <source>Tissue hurt: the jaw or the pull exceeded what the tissue could bear at that moment.</source>
+        <translation>组织损伤：钳夹或牵拉超过了组织当时的承受力。</translation>
     </message>
 </context>
 <context>
