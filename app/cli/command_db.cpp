@@ -11,6 +11,7 @@
 #include "app/cli/options.h"
 #include "app/cli/progress_line.h"
 #include "app/services/access/moved_record.h"
+#include "app/services/access/outdated_access.h"
 #include "app/services/base/configuration.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/copies.h"
@@ -232,10 +233,14 @@ void reopen(const DbArguments& arguments) {
 }
 
 void prepareServerRoles(const DbArguments& arguments) {
-  prepareServer(arguments.maintenance.maintainer(), arguments.database.locator(), arguments.role);
+  const OutdatedAccess outdated =
+      prepareServer(arguments.maintenance.maintainer(), arguments.database.locator(), arguments.role);
   std::cout << "The roles are written. Stations work as " << arguments.role
             << "; this account brings the schema up to date, and nobody else uses it.\n"
             << "Give the role a password: psql -c '\\password " << arguments.role << "'\n";
+  if (const Text found = sentenceOf(outdated); !found.empty()) {
+    std::cout << "Note: " << found << ". " << remedyForOutdatedAccess() << ".\n";
+  }
 }
 
 }  // namespace

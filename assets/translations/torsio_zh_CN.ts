@@ -22102,6 +22102,34 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Tissue hurt: the jaw or the pull exceeded what the tissue could bear at that moment.</source>
         <translation>组织损伤：钳夹或牵拉超过了组织当时的承受力。</translation>
     </message>
+    <message>
+        <source>%1 kiosk {card|cards} and %2 {invitation|invitations} of an earlier version open nothing any more</source>
+        <translation>旧版本制作的 %1 张自助终端卡片和 %2 份邀请已不能打开任何内容</translation>
+    </message>
+    <message>
+        <source>Make new ones under Users: Kiosk cards, Invite</source>
+        <translation>请在“用户”页面重新制作：“自助终端卡片”“邀请”</translation>
+    </message>
+    <message>
+        <source>Cards and links</source>
+        <translation>卡片与链接</translation>
+    </message>
+    <message>
+        <source>only whoever manages users sees cards and links</source>
+        <translation>只有管理用户的人才能看到卡片和链接</translation>
+    </message>
+    <message>
+        <source>none was made useless by a new version</source>
+        <translation>没有因新版本而失效的卡片或链接</translation>
+    </message>
+    <message>
+        <source>Seed of the allocation taken out</source>
+        <translation>已取出分组种子</translation>
+    </message>
+    <message>
+        <source>Draw repeated to check it</source>
+        <translation>已重复抽签以作核查</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>

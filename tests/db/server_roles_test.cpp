@@ -201,6 +201,14 @@ class ServerRolesTest : public DatabaseTest {
            request + "', 'confirmed', '" + user + "', 2)";
   }
 
+  static constexpr const char* kSeeds = "SELECT count(*) FROM allocation_seed";
+  void sealSeeds() {
+    connection_->executeVerbatim("ALTER TABLE allocation_seed DISABLE TRIGGER ALL");
+    connection_->executeVerbatim("UPDATE allocation_seed SET revealed_utc_us = NULL");
+    connection_->executeVerbatim("ALTER TABLE allocation_seed ENABLE TRIGGER ALL");
+    ASSERT_GT(numberFrom(*connection_, kSeeds), 0);
+  }
+
   void expectRefused(const std::string& act) const {
     const std::string answer = as("u-office", act);
     EXPECT_TRUE(answer.find("permission denied") != std::string::npos ||
@@ -625,13 +633,24 @@ TEST_F(ServerRolesTest, WhatIsKeptOfALinkOrCardOpensNothing) {
       "INSERT INTO setting (name, value, changed_utc_us) VALUES ('kiosk_codes', 'yes', 1)"
       " ON CONFLICT (name) DO UPDATE SET value = 'yes'");
 
+  // Of an earlier version, which kept the proof.
+  connection_->executeVerbatim("UPDATE kiosk_code SET revoked_utc_us = 1 WHERE id <> 'card'");
+  connection_->executeVerbatim("UPDATE invitation SET state = 'revoked' WHERE id NOT IN ('open', 'expired')");
+  connection_->executeVerbatim(
+      "INSERT INTO kiosk_code (id, user_id, code_hash, made_utc_us) VALUES ('old', 'u-trainee', 'proof', 1)");
+  EXPECT_EQ(owner.outdatedAccess(now_us).cards, std::vector<UserId>{UserId("u-trainee")});
+  EXPECT_TRUE(owner.outdatedAccess(now_us).links.empty());
+  EXPECT_EQ(psql("SELECT open_session_with_code('proof')"), "");
+  connection_->executeVerbatim("UPDATE kiosk_code SET revoked_utc_us = 1 WHERE id = 'old'");
+  EXPECT_TRUE(owner.outdatedAccess(now_us).cards.empty());
+
   // Whoever manages users reads what is kept.
   const std::string kept = as("u-office", "SELECT token_hash FROM invitation WHERE id = 'open'");
-  ASSERT_EQ(kept.size(), 64U);
+  ASSERT_EQ(kept.size(), kKeptProof.size() + 64U);
   EXPECT_EQ(psql("SELECT open_invited_session('" + kept + "')"), "");
-  EXPECT_EQ(
-      psql("SELECT open_session_with_code('" + as("u-office", "SELECT code_hash FROM kiosk_code") + "')"),
-      "");
+  EXPECT_EQ(psql("SELECT open_session_with_code('" +
+                 as("u-office", "SELECT code_hash FROM kiosk_code WHERE id = 'card'") + "')"),
+            "");
   EXPECT_EQ(psql("SELECT open_invited_session('proof of the other')"), "");  // expired
   EXPECT_NE(psql("SELECT open_session_with_invitation('" + kept + "')").find("does not exist"),
             std::string::npos);
@@ -822,16 +841,11 @@ TEST_F(ServerRolesTest, AnUnknownNameIsAnsweredAsLateAsAKnownOne) {
   }
 }
 
-TEST_F(ServerRolesTest, TheSeedIsClosedToAllButAllocators) {
-  const std::string seeds = "SELECT count(*) FROM allocation_seed";
-  connection_->executeVerbatim("ALTER TABLE allocation_seed DISABLE TRIGGER ALL");
-  connection_->executeVerbatim("UPDATE allocation_seed SET revealed_utc_us = NULL");
-  connection_->executeVerbatim("ALTER TABLE allocation_seed ENABLE TRIGGER ALL");
-  ASSERT_GT(numberFrom(*connection_, seeds), 0);
-  for (const char* user : {"", "u-rater", "u-trainee", "u-office"}) {
-    EXPECT_EQ(as(user, seeds), "0") << user;
+TEST_F(ServerRolesTest, SeedAndGroupsAreClosedToAStation) {
+  sealSeeds();
+  for (const char* user : {"", "u-rater", "u-trainee", "u-office", "u-allocator"}) {
+    EXPECT_EQ(as(user, kSeeds), "0") << user;
   }
-  EXPECT_EQ(as("u-allocator", seeds), std::to_string(numberFrom(*connection_, seeds)));
   EXPECT_EQ(as("u-allocator", "UPDATE allocation_seed SET revealed_utc_us = 5 RETURNING seed"), "");
   for (const char* table : {"allocation", "enrolment", "training_group"}) {
     const std::string rows = "SELECT count(*) FROM " + std::string(table);
@@ -841,6 +855,33 @@ TEST_F(ServerRolesTest, TheSeedIsClosedToAllButAllocators) {
     EXPECT_NE(as("u-allocator", rows), "0") << table;
   }
   EXPECT_EQ(as("u-rater", "SELECT count(*) FROM training_group"), "0");
+}
+
+TEST_F(ServerRolesTest, AnAllocatorReadsASealedSeedOnlyBehindAnEntryThatStays) {
+  sealSeeds();
+  const std::string design =
+      selectFirst(*connection_, "SELECT min(design_id) FROM allocation_seed", {}, readText).value_or("");
+  const auto entry = [](const std::string& user, const std::string& action, const std::string& object) {
+    return "INSERT INTO audit_entry SELECT max(sequence) + 1, 1, '" + user + "', 'ward', '" + action +
+           "', 'allocation_design', '" + object + "', '', '', '', '', '', '' FROM audit_entry";
+  };
+  const std::string takenOut = entry("u-allocator", "allocation.take_seed", design);
+
+  // What can be rolled back opens nothing.
+  EXPECT_EQ(as("u-allocator", "BEGIN; " + takenOut + "; " + kSeeds + "; ROLLBACK"), "0");
+  EXPECT_EQ(as("u-allocator", "BEGIN; SAVEPOINT s; " + takenOut + "; RELEASE s; " + kSeeds + "; ROLLBACK"),
+            "0");
+  EXPECT_EQ(as("u-allocator", kSeeds), "0");
+
+  EXPECT_EQ(as("u-allocator", takenOut), "");
+  EXPECT_EQ(as("u-allocator", kSeeds), "1");
+  EXPECT_EQ(as("u-office", kSeeds), "0") << "another one's entry";
+  EXPECT_EQ(as("u-allocator", entry("u-allocator", "allocation.draw", design)), "");
+  EXPECT_EQ(as("u-allocator", kSeeds), "0") << "once drawn, it is closed again";
+  EXPECT_EQ(as("u-allocator", entry("u-allocator", "allocation.take_seed", "another design")), "");
+  EXPECT_EQ(as("u-allocator", kSeeds), "0");
+  EXPECT_EQ(as("u-office", entry("u-office", "allocation.take_seed", design)), "");
+  EXPECT_EQ(as("u-office", kSeeds), "0") << "not an allocator";
 }
 
 /// What nobody has to sign in for: everything else is closed, table by table.
@@ -855,8 +896,7 @@ TEST_F(ServerRolesTest, WithoutASignInTheMatrixIsClosed) {
       "paper_entry_row",   "person_identity",  "rater_warmup",     "roster_import_person",  "seal_salt",
       "self_score",        "self_score_row",   "training_group",   "training_group_result", "training_mark",
       "training_mark_row", "training_result",  "watch_account"};
-  connection_->executeVerbatim("ALTER TABLE allocation_seed DISABLE TRIGGER ALL");
-  connection_->executeVerbatim("UPDATE allocation_seed SET revealed_utc_us = NULL");
+  sealSeeds();
   std::vector<std::string> tables;
   std::vector<Act> acts;
   for (const std::string& table : allTables(*connection_)) {

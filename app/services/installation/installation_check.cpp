@@ -30,6 +30,7 @@ constexpr auto kLabels = std::to_array<CheckLabel>({
     {"record", Text::tr("Record")},
     {"schema", Text::tr("Schema of the record")},
     {"trail_clock", Text::tr("Times in the audit trail")},
+    {"access", Text::tr("Cards and links")},
     {"backup", Text::tr("Backup")},
     {"copies", Text::tr("Copies")},
     {"fleet", Text::tr("Versions of the stations")},

@@ -48,7 +48,7 @@ inline constexpr double kDiskFull_gb = 0.5;
 [[nodiscard]] InstallationCheck keyCheck(const std::filesystem::path& record);
 [[nodiscard]] InstallationCheck witnessCheck();
 
-/// Of the record, until one fails: "record", "schema", "trail_clock", "fleet", "copies", "backup"
+/// Of the record, until one fails: "record", "schema", "trail_clock", "access", "fleet", "copies", "backup"
 /// (record_checks.cpp).
 [[nodiscard]] std::vector<InstallationCheck> recordChecks(const Installation& installation);
 

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <set>
 
+#include "app/services/access/outdated_access.h"
 #include "app/services/base/build_info.h"
 #include "app/services/installation/installation_checks.h"
 #include "app/services/maintenance/copies.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/server_roles.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
@@ -64,6 +66,17 @@ InstallationCheck copiesCheck(const std::vector<ListedCopy>& copies, std::int64_
           Text::tr("torsio db copies lists them; delete those files")};
 }
 
+InstallationCheck accessCheck(Connection& connection, std::int64_t now_us) {
+  if (tablesSeenInPart(connection).contains("kiosk_code")) {
+    return {"access", CheckState::kSkipped, Text::tr("only whoever manages users sees cards and links"), {}};
+  }
+  const Text outdated = sentenceOf(AccessRepository(connection).outdatedAccess(now_us));
+  if (outdated.empty()) {
+    return good("access", Text::tr("none was made useless by a new version"));
+  }
+  return {"access", CheckState::kWarning, outdated, remedyForOutdatedAccess()};
+}
+
 InstallationCheck fleetCheck(Connection& connection, std::int64_t now_us) {
   std::set<std::string> others;
   std::size_t stations = 0;
@@ -103,6 +116,8 @@ std::vector<InstallationCheck> recordChecks(const Installation& of) {
     checks.push_back(good(at, Text::tr("version %1", schema.version)));
     at = "trail_clock";
     checks.push_back(trailClockCheck(connection, of.now_us));
+    at = "access";
+    checks.push_back(accessCheck(connection, of.now_us));
     at = "fleet";
     checks.push_back(fleetCheck(connection, of.now_us));
     at = "copies";

@@ -206,14 +206,15 @@ void requireServer(Engine engine, const std::string& location) {
 
 }  // namespace
 
-void prepareServer(const Maintainer& maintainer, const std::string& locator, const std::string& stationRole) {
+OutdatedAccess prepareServer(const Maintainer& maintainer, const std::string& locator,
+                             const std::string& stationRole) {
   requireServer(parseLocator(locator).engine, locator);
   MaintenanceDesk desk(
       maintainer, openRecord(locator, OpenMode::kReadWrite, {.softwareVersion = softwareVersion()}), locator);
-  prepareServer(desk.session(), stationRole);
+  return prepareServer(desk.session(), stationRole);
 }
 
-void prepareServer(SessionContext& session, const std::string& stationRole) {
+OutdatedAccess prepareServer(SessionContext& session, const std::string& stationRole) {
   session.require(Operation::kDatabaseRestore);
   Connection& connection = session.connection();
   requireServer(connection.engine(), connection.location());
@@ -235,7 +236,9 @@ void prepareServer(SessionContext& session, const std::string& stationRole) {
   writeServerRoles(connection, tables, appendOnly, stationRole);
   session.note(AuditAction::kDatabasePrepareServer, AuditObject::kDatabase, connection.location(),
                {{"station_role", stationRole}});
+  OutdatedAccess outdated = AccessRepository(connection).outdatedAccess(session.now_us());
   transaction.commit();
+  return outdated;
 }
 
 }  // namespace torsio

@@ -8,6 +8,7 @@
 #include "app/services/access/session_context.h"
 #include "app/services/base/progress.h"
 #include "app/services/recording/unstored_trials.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/system/record_copy.h"
 
 namespace torsio {
@@ -79,8 +80,10 @@ struct ServerCheck {
 /// of its tables. Audited. An empty database becomes a record without a centre; in that case only the system
 /// account can be the maintainer. kDatabaseRestore. Throws Error: kUsage for a file, kPermission if the
 /// account is not the owner; DbError.
-void prepareServer(const Maintainer& maintainer, const std::string& locator, const std::string& stationRole);
+/// Returns which cards and links open nothing there.
+OutdatedAccess prepareServer(const Maintainer& maintainer, const std::string& locator,
+                             const std::string& stationRole);
 /// Creates the roles on the server of this session. kDatabaseRestore. Throws like the overload above.
-void prepareServer(SessionContext& session, const std::string& stationRole);
+OutdatedAccess prepareServer(SessionContext& session, const std::string& stationRole);
 
 }  // namespace torsio

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -27,44 +26,70 @@ namespace {
 
 constexpr std::size_t kTries = 200;
 
-/// The design in use, with its generator after the last draw.
-struct OpenDraw {
+/// What the design in use has allocated.
+struct StoredDraw {
   LockedDesign stored;
-  AllocationDesign design;
   std::vector<AllocationEntry> records;
-  Allocator allocator;
   std::map<std::string, std::int64_t> highestNumber;  ///< in use, by group
 };
 
-OpenDraw openDraw(SessionContext& session, const DrawField& field) {
-  StudyRepository study(session.connection());
-  const std::vector<LockedDesign> designs = study.designs(field.cohort.id);
+/// The same, with the generator after the last draw.
+struct OpenDraw {
+  StoredDraw done;
+  AllocationDesign design;
+  Allocator allocator;
+};
+
+LockedDesign designInUse(SessionContext& session, const Cohort& cohort) {
+  const std::vector<LockedDesign> designs = StudyRepository(session.connection()).designs(cohort.id);
   if (designs.empty()) {
-    refuse(Text::tr("no allocation design is locked"), field.cohort.name, Text::tr("Lock one first"));
+    refuse(Text::tr("no allocation design is locked"), cohort.name, Text::tr("Lock one first"));
   }
-  const LockedDesign& stored = designs.back();
-  std::vector<AllocationEntry> records = study.allocations(stored.id);
-  const std::vector<AllocationEntry> drawn = drawnOf(records);
-  AllocationDesign design = designFromStored(stored, field.groupCodes(), drawn.size());
-  OpenDraw open{stored,
-                design,
-                std::move(records),
-                Allocator(design, seedFrom(study.sealedSeed(stored.id), stored.id)),
-                {}};
+  return designs.back();
+}
+
+std::vector<Enrolment> requireWaiting(const DrawField& field) {
+  std::vector<Enrolment> waiting = field.waiting();
+  if (waiting.empty()) {
+    refuse(Text::tr("nobody waits for a group"), field.cohort.name, Text::tr("Enrol trainees first"));
+  }
+  return waiting;
+}
+
+/// Says in the trail that the seed is taken out; a server shows it to nobody before (may_read_seed()).
+/// Outside of a transaction, so that the entry stays whatever comes after it.
+void takeSeedOut(SessionContext& session, const DesignId& designId) {
+  session.note(AuditAction::kAllocationTakeSeed, AuditObject::kAllocationDesign, designId);
+}
+
+StoredDraw readDraw(SessionContext& session, const DrawField& field) {
+  StudyRepository study(session.connection());
+  StoredDraw done{.stored = designInUse(session, field.cohort), .records = {}, .highestNumber = {}};
+  done.records = study.allocations(done.stored.id);
   for (const Enrolment& enrolment : study.enrolments(field.cohort.id)) {
-    std::int64_t& highest = open.highestNumber[enrolment.groupId];
+    std::int64_t& highest = done.highestNumber[enrolment.groupId];
     highest = std::max(highest, enrolment.numberInGroup);
   }
+  return done;
+}
+
+/// After takeSeedOut().
+OpenDraw openDraw(SessionContext& session, const DrawField& field) {
+  StudyRepository study(session.connection());
+  StoredDraw done = readDraw(session, field);
+  const std::vector<AllocationEntry> drawn = drawnOf(done.records);
+  const AllocationDesign design = designFromStored(done.stored, field.groupCodes(), drawn.size());
+  Allocator allocator(design, seedFrom(study.sealedSeed(done.stored.id), done.stored.id));
   const std::map<std::string, std::string> codes = codesOf(study, field.cohort.id);
   for (const AllocationEntry& record : drawn) {
     const AllocationRecord again =
-        open.allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
+        allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
     if (static_cast<std::int64_t>(again.drawsAfter) != record.drawAfter) {
-      refuse(Text::tr("the records do not follow from the sealed seed"), stored.id,
+      refuse(Text::tr("the records do not follow from the sealed seed"), done.stored.id,
              Text::tr("Run the check of the allocation before anybody else is allocated"));
     }
   }
-  return open;
+  return {std::move(done), design, std::move(allocator)};
 }
 
 AllocationEntry draw(SessionContext& session, const DrawField& field, OpenDraw& open,
@@ -75,11 +100,11 @@ AllocationEntry draw(SessionContext& session, const DrawField& field, OpenDraw& 
   const StudyGroup& group = field.groups.at(drawn.arm);
   AllocationEntry record;
   record.id = session.ids().newUuid();
-  record.designId = open.stored.id;
-  record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
+  record.designId = open.done.stored.id;
+  record.sequence = static_cast<std::int64_t>(open.done.records.size() + 1);
   record.enrolmentId = enrolment.id;
   record.groupId = group.id;
-  record.numberInGroup = ++open.highestNumber[group.id];
+  record.numberInGroup = ++open.done.highestNumber[group.id];
   record.covariatesJson = covariatesJson(open.design, person);
   record.countsBeforeJson = numbersJson(open.design.arms, drawn.countsBefore);
   record.scoresJson = numbersJson(open.design.arms, drawn.scores);
@@ -90,7 +115,7 @@ AllocationEntry draw(SessionContext& session, const DrawField& field, OpenDraw& 
   record.allocatedUtc_us = session.now_us();
   record.demonstration = field.cohort.demonstration;
   record = study.allocate(std::span(&record, 1)).front();
-  open.records.push_back(record);
+  open.done.records.push_back(record);
   session.note(AuditAction::kAllocationDraw, AuditObject::kAllocation, record.id,
                {{"enrolment", enrolment.id}, {"record", record.recordHash}});
   return record;
@@ -186,9 +211,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
     refuse(Text::tr("allocation has begun with another design"), field.cohort.name,
            Text::tr("Give a reason; people in a group stay in it"));
   }
-  if (field.waiting().empty()) {
-    refuse(Text::tr("nobody waits for a group"), field.cohort.name, Text::tr("Enrol trainees first"));
-  }
+  (void)requireWaiting(field);
   const AllocationDesign design = designOf(field, plan);
   const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(session.ids());
   LockedDesign stored;
@@ -240,13 +263,16 @@ std::vector<AllocationEntry> allocations(SessionContext& session, const DesignId
 
 std::size_t allocateAll(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kAllocationRun);
+  {
+    const DrawField field = readDrawField(session, cohortId);
+    const LockedDesign design = designInUse(session, field.cohort);
+    (void)requireWaiting(field);
+    takeSeedOut(session, design.id);
+  }
   Transaction transaction(session.connection());
   const DrawField field = readDrawField(session, cohortId);
   OpenDraw open = openDraw(session, field);
-  const std::vector<Enrolment> waiting = field.waiting();
-  if (waiting.empty()) {
-    refuse(Text::tr("nobody waits for a group"), field.cohort.name, Text::tr("Enrol trainees first"));
-  }
+  const std::vector<Enrolment> waiting = requireWaiting(field);
   for (const Enrolment& enrolment : waiting) {
     draw(session, field, open, enrolment);
   }
@@ -263,7 +289,7 @@ AllocationEntry overrideAllocation(SessionContext& session, const CohortId& coho
   }
   Transaction transaction(session.connection());
   const DrawField field = readDrawField(session, cohortId);
-  OpenDraw open = openDraw(session, field);
+  StoredDraw open = readDraw(session, field);
   const auto last = std::find_if(open.records.rbegin(), open.records.rend(),
                                  [&](const AllocationEntry& r) { return r.enrolmentId == enrolmentId; });
   if (last == open.records.rend()) {
@@ -297,7 +323,7 @@ AllocationEntry overrideAllocation(SessionContext& session, const CohortId& coho
 
 namespace {
 
-std::optional<LockedDesign> designIn(StudyRepository& study, const DesignId& designId) {
+LockedDesign requireDesign(StudyRepository& study, const DesignId& designId) {
   for (const Cohort& cohort : study.cohorts()) {
     for (LockedDesign& design : study.designs(cohort.id)) {
       if (design.id == designId) {
@@ -305,20 +331,15 @@ std::optional<LockedDesign> designIn(StudyRepository& study, const DesignId& des
       }
     }
   }
-  return std::nullopt;
+  refuse(Text::tr("there is no such design"), designId, Text::tr("Choose one from the list"));
 }
 
 }  // namespace
 
 std::string revealSeed(SessionContext& session, const DesignId& designId, const std::string& reason) {
   session.require(Operation::kAllocationReveal);
-  Transaction transaction(session.connection());
   StudyRepository study(session.connection());
-  const std::string seed = study.sealedSeed(designId);
-  if (seed.empty()) {
-    refuse(Text::tr("there is no such design"), designId, Text::tr("Choose one from the list"));
-  }
-  const LockedDesign design = designIn(study, designId).value();
+  const LockedDesign design = requireDesign(study, designId);
   if (reason.empty() && study.designs(design.cohortId).back().id == designId) {
     const DrawField field = readDrawField(session, design.cohortId);
     if (const std::size_t waiting = field.waiting().size(); waiting > 0) {
@@ -328,10 +349,15 @@ std::string revealSeed(SessionContext& session, const DesignId& designId, const 
           field.cohort.name, Text::tr("Allocate them first, or give a reason"));
     }
   }
+  if (!needsTwoPeople(session.connection())) {
+    takeSeedOut(session, designId);
+  }
+  Transaction transaction(session.connection());
   if (!design.demonstration) {
     requireSecondPerson(session, DutyAct::kRevealAllocation, designId);
   }
   study.revealSeed(designId, session.now_us());
+  std::string seed = study.sealedSeed(designId);
   session.note(AuditAction::kAllocationReveal, AuditObject::kAllocationDesign, designId, {}, reason);
   transaction.commit();
   return seed;
@@ -340,16 +366,21 @@ std::string revealSeed(SessionContext& session, const DesignId& designId, const 
 AllocationCheck checkAllocation(SessionContext& session, const DesignId& designId) {
   session.require(Operation::kAllocationView);
   StudyRepository study(session.connection());
-  const std::optional<LockedDesign> stored = designIn(study, designId);
-  if (!stored) {
-    refuse(Text::tr("there is no such design"), designId, Text::tr("Choose one from the list"));
+  const LockedDesign stored = requireDesign(study, designId);
+  const bool takesOut = stored.seed.empty() && session.may(Operation::kAllocationRun);
+  if (takesOut) {
+    takeSeedOut(session, designId);
   }
   const std::string seed = study.sealedSeed(designId);
+  const std::string salt = study.sealedSalt(designId);
+  if (takesOut) {  // nobody reads the seed behind this entry
+    session.note(AuditAction::kAllocationCheck, AuditObject::kAllocationDesign, designId);
+  }
   if (seed.empty()) {  // a server hides it
     throw Error(ErrorCode::kPermission, Text::tr("the seed of this allocation is sealed"),
                 Text::tr("allocation"), Text::tr("Let an allocator check it, or open the seed first"));
   }
-  return repeatedDraw(study, *stored, seed, study.sealedSalt(designId));
+  return repeatedDraw(study, stored, seed, salt);
 }
 
 std::vector<SealedCard> takeOutCards(SessionContext& session, const CohortId& cohortId) {

@@ -338,6 +338,23 @@ std::vector<InvitationRow> AccessRepository::openInvitations() const {
                    });
 }
 
+OutdatedAccess AccessRepository::outdatedAccess(std::int64_t now_us) const {
+  const auto readUser = [](RowReader& row) { return UserId(row.text()); };
+  const std::string current = std::string(kKeptProof) + "%";
+  OutdatedAccess outdated;
+  if (isPrepared(connection_)) {
+    outdated.cards = selectAll(connection_,
+                               "SELECT user_id FROM kiosk_code WHERE revoked_utc_us IS NULL"
+                               " AND code_hash NOT LIKE ? ORDER BY user_id",
+                               {current}, readUser);
+  }
+  outdated.links = selectAll(connection_,
+                             "SELECT user_id FROM invitation WHERE state = 'open' AND expires_utc_us > ?"
+                             " AND token_hash NOT LIKE ? ORDER BY user_id",
+                             {now_us, current}, readUser);
+  return outdated;
+}
+
 std::optional<UserId> AccessRepository::invited(const std::string& proof, std::int64_t now_us) const {
   return selectFirst(connection_,
                      "SELECT u.id FROM invitation i JOIN app_user u ON u.id = i.user_id WHERE"

@@ -43,6 +43,13 @@ struct InvitationRow {
   std::int64_t expiresUtc_us = 0;
 };
 
+/// Whose cards and links an earlier version stored in a form that opens nothing any more: on a prepared
+/// server both, in a file links.
+struct OutdatedAccess {
+  std::vector<UserId> cards{};
+  std::vector<UserId> links{};
+};
+
 /// Users, roles, and the matrix role x operation (filled by the migration). Default deny.
 class AccessRepository {
  public:
@@ -112,6 +119,7 @@ class AccessRepository {
   [[nodiscard]] std::string openSimulatedSession(const UserId& userId);
   /// Ends the server's session of this connection.
   void endOwnServerSession();
+  [[nodiscard]] OutdatedAccess outdatedAccess(std::int64_t now_us) const;
   /// Consumes an invitation. False if it is no longer open; of two concurrent calls one succeeds.
   [[nodiscard]] bool useInvitation(const std::string& proof, std::int64_t now_us);
 

@@ -234,6 +234,26 @@ constexpr std::string_view kMayChangeInvitation =
     "'open'"
     " OR EXISTS (SELECT 1 FROM invitation i WHERE i.id = invited AND i.state = 'open'))";
 
+/// Committed by another transaction: not by this one or one of its savepoints, which may be rolled back.
+constexpr std::string_view kIsCommitted =
+    "SELECT known.id < pg_snapshot_xmax(pg_current_snapshot())::text::bigint"
+    " AND coalesce(pg_xact_status(known.id::text::xid8), 'committed') = 'committed' FROM"
+    " (SELECT (pg_snapshot_xmax(pg_current_snapshot())::text::bigint >> 32 << 32) + row_xid::text::bigint AS "
+    "id)"
+    " AS known";
+
+/// An allocator reads a sealed seed behind a committed entry of the trail that says so
+/// (AuditAction::kAllocationTakeSeed) and is their newest about allocations. Also whoever locks the design,
+/// and whoever opens the seal with another.
+constexpr std::string_view kMayReadSeed =
+    "SELECT is_simulated_design(design) OR EXISTS (SELECT 1 FROM allocation_design d WHERE d.id = design"
+    " AND d.xmin = pg_current_xact_id_if_assigned()::xid)"
+    " OR (session_may('allocation.reveal') AND NOT one_is_enough()"
+    " AND two_decided('reveal_allocation', design))"
+    " OR CASE WHEN session_may('allocation.run') THEN coalesce((SELECT e.action = 'allocation.take_seed'"
+    " AND e.object_id = design AND is_committed(e.xmin) FROM audit_entry e WHERE e.actor = session_user_id()"
+    " AND e.action LIKE 'allocation.%' ORDER BY e.sequence DESC LIMIT 1), FALSE) ELSE FALSE END";
+
 constexpr std::string_view kMayOpenSeed =
     "SELECT is_simulated_design(design) OR (session_may('allocation.reveal')"
     " AND two_decided('reveal_allocation', design))";
@@ -304,8 +324,9 @@ BEGIN
   RETURN new_session(found.id, pin);
 END )";
 
-/// What is kept of the proof of a card or link (access_repository.h).
-constexpr std::string_view kKeptOfProof = "SELECT encode(sha256(convert_to(proof, 'UTF8')), 'hex')";
+/// What is kept of the proof of a card or link (keptOfProof()).
+constexpr std::string_view kKeptOfProof =
+    "SELECT 'kept1$' || encode(sha256(convert_to(proof, 'UTF8')), 'hex')";
 
 /// With the proof of a trainee's card, while the centre allows it. Returns id, state and token.
 constexpr std::string_view kOpenWithCode = R"(
@@ -339,7 +360,7 @@ BEGIN
   END IF;
   token := new_session(account, TRUE);
   UPDATE server_session SET client = 'invited ' || client, until_utc_us = begun_utc_us + 600000000
-    WHERE token_hash = kept_of_proof(token);
+    WHERE token_hash = encode(sha256(convert_to(token, 'UTF8')), 'hex');
   RETURN token;
 END )";
 
@@ -411,6 +432,8 @@ constexpr std::array kFunctions{
     ServerFunction{"may_invite", "account text", "boolean", "sql STABLE", kMayInvite},
     ServerFunction{"may_change_invitation", "invited text, account text, wanted text", "boolean",
                    "sql STABLE", kMayChangeInvitation},
+    ServerFunction{"is_committed", "row_xid xid", "boolean", "sql VOLATILE", kIsCommitted, false},
+    ServerFunction{"may_read_seed", "design text", "boolean", "sql STABLE", kMayReadSeed},
     ServerFunction{"may_open_seed", "design text", "boolean", "sql STABLE", kMayOpenSeed},
     ServerFunction{"may_set", "named text, written text", "boolean", "sql STABLE", kMaySet},
     ServerFunction{"may_freeze", "of_cohort text, simulated boolean", "boolean", "sql STABLE", kMayFreeze},

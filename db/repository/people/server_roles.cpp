@@ -91,6 +91,7 @@ struct RowPolicy {
   std::string_view removed{};  ///< empty: as `changed`
   std::string_view whole{};    ///< the operation with which one sees every row; empty: see requireEveryRow()
 };
+constexpr std::string_view kOwnerAlone = "no operation";  // as RowPolicy::whole: no role has it
 constexpr std::string_view kEverything = "TRUE";
 constexpr std::string_view kKnown = "(SELECT is_known())";
 constexpr std::string_view kSeesAll = "(SELECT sees_all_marks())";
@@ -178,12 +179,11 @@ constexpr std::array kRowPolicies{
               .added = "demonstration OR (SELECT session_may('allocation.run'))",
               .whole = "allocation.view"},
     RowPolicy{.table = "allocation_seed",
-              .seen = "revealed_utc_us IS NOT NULL OR (SELECT session_may('allocation.run'))"
-                      " OR is_simulated_design(design_id)",
+              .seen = "revealed_utc_us IS NOT NULL OR may_read_seed(design_id)",
               .added = "is_simulated_design(design_id) OR ((SELECT session_may('allocation.run'))"
                        " AND revealed_utc_us IS NULL)",
               .changed = "may_open_seed(design_id)",
-              .whole = "allocation.run"},
+              .whole = kOwnerAlone},
     // Accounts, and what needs two people.
     RowPolicy{.table = "app_user",
               .seen = kEverything,

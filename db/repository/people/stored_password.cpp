@@ -104,7 +104,7 @@ std::string hashLike(const std::string& stored, const std::string& password) {
 }
 
 std::string keptOfProof(const std::string& proof) {
-  return sha256(proof);  // kept_of_proof() of a server
+  return std::string(kKeptProof) + sha256(proof);  // kept_of_proof() of a server
 }
 
 bool isHiddenPassword(const std::string& stored) {

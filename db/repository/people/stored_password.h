@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "assessment/domain/people/account.h"
 
@@ -27,6 +28,9 @@ class Connection;
 /// be able to read the pepper: that of a file, or of the owner.
 [[nodiscard]] bool passwordMatches(Connection& connection, const std::string& stored,
                                    const std::string& password);
+
+/// How what keptOfProof() returns begins. Earlier versions kept the proof itself.
+inline constexpr std::string_view kKeptProof = "kept1$";
 
 /// Returns what a record keeps of the proof of a card or a link: what it holds does not prove anything.
 [[nodiscard]] std::string keptOfProof(const std::string& proof);

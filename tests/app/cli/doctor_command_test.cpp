@@ -15,6 +15,7 @@
 #include "app/services/maintenance/copies.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
@@ -62,12 +63,23 @@ TEST_F(Doctor, SaysWhatToDoAboutEverythingThatIsNotGood) {
       EXPECT_TRUE(one.remedy.empty()) << one.name;
     }
   }
-  for (const char* name : {"record", "schema", "backup", "copies", "fleet", "disk", "clock", "key", "witness",
-                           "certificate", "real_time", "memory", "device", "display", "graphics"}) {
+  for (const char* name :
+       {"record", "schema", "access", "backup", "copies", "fleet", "disk", "clock", "key", "witness",
+        "certificate", "real_time", "memory", "device", "display", "graphics"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
   EXPECT_EQ(check("record").state, CheckState::kGood);
   EXPECT_EQ(check("schema").state, CheckState::kGood);
+}
+
+TEST_F(Doctor, CountsInvitationsThatOpenNothingAnyMore) {
+  EXPECT_EQ(check("access").state, CheckState::kGood);
+  centre_.connection().execute(
+      "INSERT INTO invitation (id, user_id, token_hash, made_utc_us, expires_utc_us, state)"
+      " VALUES ('old', ?, 'a proof', 1, ?, 'open')",
+      {AccessRepository(centre_.connection()).users().front().id, of_.now_us + 1});
+  EXPECT_EQ(check("access").state, CheckState::kWarning);
+  EXPECT_NE(check("access").finding.str().find("1 invitation"), std::string::npos);
 }
 
 TEST_F(Doctor, MissesABackupAndFindsAnOldOne) {

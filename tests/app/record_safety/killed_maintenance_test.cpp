@@ -380,12 +380,14 @@ TEST_F(KilledMaintenance, TheRolesOfAServerAreWrittenCompletelyOrNotAtAll) {
   }
   const std::string schema = parseLocator(locator()).schema;
   const std::string role = "station_" + schema.substr(schema.size() - 8);
-  killEverywhere(
-      {.arguments = {"db", "prepare-server", "--as-system", addressWithoutPassword(), "--station-role", role},
-       .after = [this] {
-         Connection record = openRecord(locator(), OpenMode::kReadWrite);
-         EXPECT_TRUE(isSound(record));
-       }});
+  const CutOff cut{
+      .arguments = {"db", "prepare-server", "--as-system", addressWithoutPassword(), "--station-role", role},
+      .after = [this] {
+        Connection record = openRecord(locator(), OpenMode::kReadWrite);
+        EXPECT_TRUE(isSound(record));
+      }};
+  killEverywhere(cut);
+  EXPECT_NE(run(cut.arguments).out.find("of an earlier version open nothing any more"), std::string::npos);
   Connection connection = open();
   connection.executeVerbatim("DROP OWNED BY " + role);
   connection.executeVerbatim("DROP ROLE " + role);

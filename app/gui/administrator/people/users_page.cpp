@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <QLabel>
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -18,6 +19,7 @@
 #include "app/gui/administrator/people/user_dialogs.h"
 #include "app/gui/base/placed_dialog.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
@@ -67,6 +69,7 @@ bool isHalf(const StartAccount& account) {
 UsersPage::UsersPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
+      outdated_(named(new QLabel(this), "outdatedAccess")),
       table_(named(new DataTable(QStringLiteral("users"), this), "table")),
       add_(primaryButton(this)),
       addForRoster_(new QPushButton(this)),
@@ -86,7 +89,10 @@ UsersPage::UsersPage(ShellContext& shell)
   heading_->addAction(addForRoster_);
   heading_->addAction(add_);
   QVBoxLayout* column = pageColumn(this);
+  outdated_->setWordWrap(true);
+  outdated_->setProperty("caution", true);
   column->addWidget(heading_);
+  column->addWidget(outdated_);
   column->addWidget(table_, 1);
 
   connect(add_, &QPushButton::clicked, this, &UsersPage::add);
@@ -112,6 +118,7 @@ void UsersPage::enter(const QVariant&) {
     waiting_ = openRequests(shell().session()).size();
     kioskCodes_ = kioskCodesInForce(shell().session());
     invitations_ = invitationsInForce(shell().session());
+    outdatedAccess_ = outdatedAccess(shell().session());
     personCodes_.clear();
     for (const PersonRow& row : people(shell().session())) {
       personCodes_[row.person.id] = row.person.code;
@@ -153,6 +160,9 @@ void UsersPage::retranslate() {
 }
 
 void UsersPage::showContent() {
+  const Text outdated = sentenceOf(outdatedAccess_);
+  outdated_->setVisible(!outdated.empty());
+  outdated_->setText(translatedLines({outdated, remedyForOutdatedAccess()}));
   std::vector<Row> rows;
   for (const UserAccount& user : users_) {
     QStringList roles;

@@ -10,10 +10,12 @@
 
 #include "app/gui/base/page.h"
 #include "app/services/access/access_service.h"
+#include "app/services/access/outdated_access.h"
 #include "app/services/access/two_people.h"
 #include "app/services/serving/review_desk.h"
 #include "assessment/domain/people/account.h"
 
+class QLabel;
 class QPushButton;
 
 namespace torsio::gui {
@@ -63,7 +65,9 @@ class UsersPage : public Page {
   std::map<std::string, std::string> personCodes_;  // by person id
   std::map<UserId, std::int64_t> kioskCodes_;       // creation time
   std::map<UserId, std::int64_t> invitations_;      // expiry
+  OutdatedAccess outdatedAccess_;
   PageHeading* heading_;
+  QLabel* outdated_;
   DataTable* table_;
   QPushButton* add_;
   QPushButton* addForRoster_;

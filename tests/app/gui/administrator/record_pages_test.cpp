@@ -52,6 +52,7 @@
 #include "assessment/domain/people/consent.h"
 #include "assessment/domain/people/retention.h"
 #include "assessment/domain/study/allocation.h"
+#include "db/connection/connection.h"
 #include "sim/core/error.h"
 #include "tests/app/gui/support/administrator_desk.h"
 #include "tests/app/services/people/commit_roster.h"
@@ -227,6 +228,21 @@ TEST(UsersPage, MakesKioskCardsAndRevokesThem) {
   answer(giveReason);
   child<QPushButton>(*page, "revokeKioskCards").click();
   EXPECT_TRUE(kioskCodesInForce(office.centre.as("administrator")).empty());
+}
+
+TEST(UsersPage, SaysHowManyCardsAndLinksAnUpgradeMadeUseless) {
+  AdministratorDesk office;
+  auto page = office.open<UsersPage>("administrator");
+  EXPECT_TRUE(child<QLabel>(*page, "outdatedAccess").isHidden());
+  office.centre.connection().execute(
+      "INSERT INTO invitation (id, user_id, token_hash, made_utc_us, expires_utc_us, state)"
+      " VALUES ('old', ?, 'a proof', 1, ?, 'open')",
+      {users(office.centre.as("administrator")).front().id, office.centre.session().now_us() + 1});
+
+  page->enter({});
+
+  EXPECT_FALSE(child<QLabel>(*page, "outdatedAccess").isHidden());
+  EXPECT_TRUE(child<QLabel>(*page, "outdatedAccess").text().contains(QStringLiteral("1 invitation")));
 }
 
 TEST(UsersPage, InvitesByALinkShownOnceAndRevokesIt) {

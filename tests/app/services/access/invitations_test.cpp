@@ -14,6 +14,7 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/kiosk_codes.h"
+#include "app/services/access/outdated_access.h"
 #include "app/services/access/qr_code.h"
 #include "app/services/access/two_people.h"
 #include "assessment/domain/people/audit_entry.h"
@@ -156,6 +157,24 @@ TEST_F(Invitations, OnlyOneOfTwoSimultaneousUsesSucceeds) {
   EXPECT_EQ(signedIn("rater", kChosenPassword), SignIn::kOk);
 }
 
+TEST_F(Invitations, ThoseOfAnEarlierVersionAreNamedUntilTheyAreMadeAgain) {
+  SessionContext& session = centre.as("administrator");
+  EXPECT_TRUE(sentenceOf(outdatedAccess(session)).empty());
+  const std::int64_t now_us = session.now_us();
+  const std::string add =
+      "INSERT INTO invitation (id, user_id, token_hash, made_utc_us, expires_utc_us, state)"
+      " VALUES (?, ?, ?, ?, ?, 'open')";
+  centre.connection().execute(add, {"old", userOf("rater").id, std::string(64, 'a'), now_us, now_us + 1000});
+  centre.connection().execute(add, {"expired", userOf("trainee").id, std::string(64, 'b'), 1, now_us});
+
+  const OutdatedAccess outdated = outdatedAccess(session);
+  EXPECT_EQ(outdated.links, std::vector<UserId>{userOf("rater").id});
+  EXPECT_EQ(sentenceOf(outdated).str(),
+            "0 kiosk cards and 1 invitation of an earlier version open nothing any more");
+  (void)linkFor("rater");
+  EXPECT_TRUE(sentenceOf(outdatedAccess(session)).empty());
+}
+
 TEST_F(Invitations, NobodyInvitesAPhysicianAloneIfTwoPeopleAreRequired) {
   askForTwo();
   const UserId rater = userOf("rater").id;
@@ -271,7 +290,7 @@ TEST_F(KioskCodes, AreNotStoredInTheRecord) {
   const std::vector<std::string> hashes = selectAll(centre.connection(), "SELECT code_hash FROM kiosk_code",
                                                     {}, [](RowReader& row) { return row.text(); });
   ASSERT_EQ(hashes.size(), 1U);
-  EXPECT_EQ(hashes[0].size(), 64U);
+  EXPECT_EQ(hashes[0].size(), kKeptProof.size() + 64U);
   EXPECT_EQ((all + hashes[0]).find(code), std::string::npos);
   EXPECT_EQ(all.find("12345678901234567890"), std::string::npos) << "not even what was typed in vain";
 }

@@ -15,6 +15,7 @@
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"
 #include "app/services/access/moved_record.h"
+#include "app/services/access/outdated_access.h"
 #include "app/services/access/two_people.h"
 #include "app/services/centres/site_export.h"
 #include "app/services/centres/site_pool.h"
@@ -351,6 +352,7 @@ std::vector<ServiceCall> reportingCalls() {
          stopReviewDesk(w, {"/nowhere", folder});
        }},
       {O::kUserManage, "kioskCodesInForce", [](W w, Path) { (void)kioskCodesInForce(w); }},
+      {O::kUserManage, "outdatedAccess", [](W w, Path) { (void)outdatedAccess(w); }},
       {O::kTrialViewOwn, "requestAboutOwnRecord",
        [](W w, Path) { requestAboutOwnRecord(w, PersonRequestKind::kExport); }},
       {O::kTrialViewOwn, "takeBackOwnRequest", [](W w, Path) { takeBackOwnRequest(w, kNoSuch); }},

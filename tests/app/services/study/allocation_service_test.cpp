@@ -143,6 +143,22 @@ TEST(AllocationService, SeedStaysSealedUntilItIsRevealed) {
   EXPECT_EQ(study.centre.audited("allocation.reveal"), 1);
 }
 
+TEST(AllocationService, TheTrailSaysWhenTheSeedIsTakenOut) {
+  AllocationStudy study(6);
+  SessionContext& allocator = study.centre.as("allocator");
+  const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
+  EXPECT_EQ(study.centre.audited("allocation.take_seed"), 0);
+
+  allocateAll(allocator, study.cohortId);
+  EXPECT_EQ(study.centre.audited("allocation.take_seed"), 1);
+  EXPECT_THROW((void)allocateAll(allocator, study.cohortId), Error);  // nobody waits
+  EXPECT_EQ(study.centre.audited("allocation.take_seed"), 1);
+
+  EXPECT_TRUE(checkAllocation(allocator, design.stored.id).sound);
+  EXPECT_EQ(study.centre.audited("allocation.take_seed"), 2);
+  EXPECT_EQ(study.centre.audited("allocation.check"), 1);
+}
+
 TEST(AllocationService, AReportReplaysTheAllocationOfEveryMethod) {
   for (const Term<AllocationMethod>& method : kAllocationMethods) {
     AllocationStudy study(12);
