@@ -21,6 +21,10 @@ struct Placed {
 struct Pairs {
   double excess = 0.0;  ///< of pairs that both failed, above what pairs of different sessions give
   double spread = 0.0;  ///< variance that each pair would have
+  void add(const Pairs& others) {
+    excess += others.excess;
+    spread += others.spread;
+  }
   [[nodiscard]] double correlation() const { return spread > 0.0 ? excess / spread : 0.0; }
 };
 
@@ -42,6 +46,16 @@ struct Totals {
   Pairs apart;       ///< of one session, not successive
   double apartPairs = 0.0;
   std::vector<double> apartBy{};  ///< pairs of `apart` by distance
+  void add(const Totals& others) {
+    successive.add(others.successive);
+    between.add(others.between);
+    apart.add(others.apart);
+    apartPairs += others.apartPairs;
+    apartBy.resize(std::max(apartBy.size(), others.apartBy.size()));
+    for (std::size_t k = 0; k < others.apartBy.size(); ++k) {
+      apartBy[k] += others.apartBy[k];
+    }
+  }
 };
 
 std::vector<Placed> placed(const SessionOutcomes& sessions) {
@@ -119,12 +133,16 @@ void addMargin(std::span<const SessionOutcomes> people, AttemptDependence& depen
   constexpr std::size_t kBlocks = 50;
   constexpr double kOneSided = 1.645;
   const std::size_t blocks = std::min(people.size(), kBlocks);
+  std::vector<Totals> ofBlock(blocks);
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    addPerson(people[i], ofBlock[i % blocks]);
+  }
   std::vector<AttemptDependence> without;
-  for (std::size_t block = 0; block < blocks; ++block) {
+  for (std::size_t left = 0; left < blocks; ++left) {
     Totals totals;
-    for (std::size_t i = 0; i < people.size(); ++i) {
-      if (i % blocks != block) {
-        addPerson(people[i], totals);
+    for (std::size_t block = 0; block < blocks; ++block) {
+      if (block != left) {
+        totals.add(ofBlock[block]);
       }
     }
     without.push_back(solved(totals, dependence.perSession));
