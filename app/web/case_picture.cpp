@@ -127,7 +127,7 @@ class FrameColumns {
     constexpr double kWhole = 255.0;
     closed_.push_back(static_cast<std::uint8_t>(std::lround(kWhole * std::clamp(state.grip, 0.0, 1.0))));
     held_.push_back((state.contact & kContactHeld) != 0 ? 1 : 0);
-    untwisting_ = untwisting_ || sample.rules == kRulesOfDetorsion;
+    untwisting_ = untwisting_ || areOfDetorsion(sample.rules);
     addBlood(sample.hollow);
   }
   void addBlood(const HollowReading& organ) {

@@ -66,7 +66,7 @@ void RecordedSwitches::obey(const Sample& sample) noexcept {
 }
 
 bool comesTwisted(std::span<const Sample> samples) noexcept {
-  return !samples.empty() && samples.front().rules == kRulesOfDetorsion;
+  return !samples.empty() && areOfDetorsion(samples.front().rules);
 }
 
 Outcome<DetorsionMetrics> measureRecordedDetorsion(

@@ -15,7 +15,7 @@ LiveState liveStateOf(const Sample& sample) noexcept {
   live.force_N = sample.force_N;
   live.limits = sample.limits;
   live.contact = sample.contact;
-  live.hollow.present = sample.rules >= kRulesOfDetorsion;
+  live.hollow.present = areOfDetorsion(sample.rules);
   live.hollow.reading = sample.hollow;
   return live;
 }

@@ -15,10 +15,29 @@ namespace torsio {
 /// rules that it was recorded with. 1: jaw and shaft collide, contact is a virtual coupling to a surface that
 /// gives way, passivity is kept. 2: passivity is the last stage (no force beyond the energy that the hand has
 /// put in), a falling force is not held back, a jaw that lets go touches anew. 3: so, of a hollow organ that
-/// came twisted, which a hand undoes.
+/// came twisted, which a hand undoes. 4 and 5: as 2 and 3, but while a reading stands still the force fades
+/// at once, and what it may have given meanwhile counts until the contact ends.
 inline constexpr std::uint32_t kRulesOfStoredEnergy = 2;
 inline constexpr std::uint32_t kRulesOfDetorsion = 3;
-inline constexpr std::uint32_t kServoRules = kRulesOfDetorsion;
+inline constexpr std::uint32_t kRulesOfStandstill = 4;
+inline constexpr std::uint32_t kRulesOfDetorsionStandstill = 5;
+inline constexpr std::uint32_t kServoRules = kRulesOfDetorsionStandstill;
+
+/// Tells whether these rules are of a hollow organ that came twisted.
+[[nodiscard]] constexpr bool areOfDetorsion(std::uint32_t rules) noexcept {
+  return rules == kRulesOfDetorsion || rules == kRulesOfDetorsionStandstill;
+}
+
+/// Returns the rules that a loop with these ones stamps on the samples of a scene.
+[[nodiscard]] constexpr std::uint32_t stampedRules(std::uint32_t rules, bool comesTwisted) noexcept {
+  if (rules >= kRulesOfStandstill) {
+    return comesTwisted ? kRulesOfDetorsionStandstill : kRulesOfStandstill;
+  }
+  if (comesTwisted) {
+    return kRulesOfDetorsion;
+  }
+  return rules < kRulesOfStoredEnergy ? rules : kRulesOfStoredEnergy;
+}
 
 /// Stages of one exercise (paper Fig. 6): no force and no deformation before contact.
 enum class ExercisePhase : std::uint8_t {

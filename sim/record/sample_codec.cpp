@@ -387,7 +387,7 @@ std::string outputDigest(std::span<const Sample> samples) {
                                s.response.graspArc_m, s.force_N.x, s.force_N.y, s.force_N.z}) {
       digest.update(value);
     }
-    if (s.rules >= kRulesOfDetorsion) {
+    if (areOfDetorsion(s.rules)) {
       for (const double value : {s.hollow.pressure_Pa, s.hollow.patency, s.hollow.flow, s.hollow.dose}) {
         digest.update(value);
       }

@@ -28,7 +28,8 @@ GovernorLimits governorLimits(const ServoLoop::Links& links, const ServoOptions&
           .workspaceMin_m = device.workspaceMin_m,
           .workspaceMax_m = device.workspaceMax_m,
           .tickPeriod_us = options.tickPeriod_us,
-          .fallsFreely = options.rules >= kRulesOfStoredEnergy};
+          .fallsFreely = options.rules >= kRulesOfStoredEnergy,
+          .fadesAtOnce = options.rules >= kRulesOfStandstill};
 }
 
 bool isFinite(const TwistResponse& response) noexcept {
@@ -38,6 +39,13 @@ bool isFinite(const TwistResponse& response) noexcept {
 }
 
 constexpr std::uint32_t kNoHand = kDeviceLost | kDeviceUncalibrated | kDeviceInvalid | kDeviceEnded;
+
+HandReading handOf(std::uint32_t status) noexcept {
+  if ((status & kNoHand) != 0) {
+    return HandReading::kNone;
+  }
+  return (status & kDeviceStale) != 0 ? HandReading::kStandsStill : HandReading::kFresh;
+}
 
 bool inUnitRange(double value) noexcept {
   return value >= 0.0 && value <= 1.0;  // false for NaN
@@ -83,15 +91,15 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options, const Pinn
       exercise_(exerciseOptions(deviceOf(links).capabilities(), options), *links.scene, options.seed),
       passivity_({.tickPeriod_us = options.tickPeriod_us}),
       governor_(governorLimits(links, options)),
-      storedEnergy_({.tickPeriod_us = options.tickPeriod_us}) {
+      storedEnergy_(
+          {.tickPeriod_us = options.tickPeriod_us, .countsHiddenWays = options.rules >= kRulesOfStandstill}) {
   if (!inUnitRange(options.forceScale) || !std::isfinite(options.targetAngle_rad)) {
     throw Error(ErrorCode::kBadParameter,
                 Text::verbatim("the force scale must lie in 0..1 and the target be finite, got %1 and %2",
                                std::to_string(options.forceScale), std::to_string(options.targetAngle_rad)),
                 Text::verbatim("servo loop"), Text::verbatim("Check the exercise's options"));
   }
-  sample_.rules =
-      links.scene->comesTwisted() ? kRulesOfDetorsion : std::min(options.rules, kRulesOfStoredEnergy);
+  sample_.rules = stampedRules(options.rules, links.scene->comesTwisted());
 }
 
 void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
@@ -128,8 +136,8 @@ void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
       storedEnergy_.forget();
     }
     storedEnergy_.lend(step.lent_J);
-    force.force_N = storedEnergy_.limited(tool.pose.position_m, force.force_N, (tool.status & kNoHand) == 0,
-                                          force.limits);
+    force.force_N =
+        storedEnergy_.limited(tool.pose.position_m, force.force_N, handOf(tool.status), force.limits);
   } else {
     passivity_.sent(force.force_N);
   }

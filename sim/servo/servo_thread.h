@@ -12,8 +12,8 @@
 
 namespace torsio {
 
-/// Time after the last tick at which one that has not ended counts as stalled: the age at which the
-/// governor, too, has faded a force to nothing (kStaleFadeEnds_us).
+/// Time after the last tick at which one that has not ended counts as stalled: beyond what a busy computer
+/// delays a tick.
 inline constexpr std::int64_t kStall_ns = 25'000'000;
 
 /// Lets go of the hand when the tick stalls. The governor cannot: it runs inside the tick, so a tick that

@@ -40,7 +40,7 @@ void TraceCollector::add(std::span<const Sample> samples) {
   for (const Sample& sample : samples) {
     if (!begun_) {
       begin_us_ = sample.device.time_us;
-      traces_ = sample.rules == kRulesOfDetorsion ? kTraces : kTracesOfATwist;
+      traces_ = areOfDetorsion(sample.rules) ? kTraces : kTracesOfATwist;
     }
     begun_ = true;
     const std::array<float, kTraces> now = valuesOf(sample);

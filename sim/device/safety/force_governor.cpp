@@ -79,8 +79,9 @@ double ForceGovernor::staleGain(const GovernorInput& input, std::int64_t step_us
     lastFresh_us_ = input.now_us;
   }
   const std::int64_t age_us = input.now_us - std::min(lastFresh_us_, input.computed_us);
-  const double left = static_cast<double>(kStaleFadeEnds_us - age_us) /
-                      static_cast<double>(kStaleFadeEnds_us - kStaleFadeBegins_us);
+  const std::int64_t begins_us = limits_.fadesAtOnce ? 0 : kStaleFadeBegins_us;
+  const std::int64_t ends_us = limits_.fadesAtOnce ? kFadeEnds_us : kStaleFadeEnds_us;
+  const double left = static_cast<double>(ends_us - age_us) / static_cast<double>(ends_us - begins_us);
   const double risen = staleGain_ + static_cast<double>(step_us) / static_cast<double>(kStaleRecovery_us);
   staleGain_ = std::clamp(std::min(left, risen), 0.0, 1.0);
   return staleGain_;

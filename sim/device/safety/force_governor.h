@@ -61,14 +61,19 @@ struct GovernorLimits {
   /// Whether a force may fall at once and only its rise is limited; a fall that is held back gives the hand
   /// energy. False: by rules 1.
   bool fallsFreely = true;
+  /// Whether a force fades as soon as nothing new is known (kFadeEnds_us). False, by rules up to 3: from
+  /// kStaleFadeBegins_us to kStaleFadeEnds_us.
+  bool fadesAtOnce = true;
 };
 
 /// Longest gap between ticks after which force is still let through; after a longer one the coupling starts
 /// anew.
 inline constexpr std::int64_t kLongestTickGap_us = 5'000;
-/// Age from which a force fades.
+/// Age at which a force has faded to nothing: what it gives a hand meanwhile nobody knows.
+inline constexpr std::int64_t kFadeEnds_us = 4'000;
+/// Age from which a force faded by rules up to 3.
 inline constexpr std::int64_t kStaleFadeBegins_us = 5'000;
-/// Age at which a force has faded to nothing.
+/// Age at which a force had faded to nothing by rules up to 3.
 inline constexpr std::int64_t kStaleFadeEnds_us = 25'000;
 /// Time that the faded force takes to come back after a stall.
 inline constexpr std::int64_t kStaleRecovery_us = 100'000;

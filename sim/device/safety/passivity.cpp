@@ -17,9 +17,14 @@ void HandPort::begin(const Vec3& tip_m) noexcept {
 }
 
 Vec3 HandPort::move(const Vec3& tip_m) noexcept {
+  const Vec3 way_m = skip(tip_m);
+  energy_J_ -= dot(acting_N(), way_m);
+  return way_m;
+}
+
+Vec3 HandPort::skip(const Vec3& tip_m) noexcept {
   const Vec3 way_m = tip_m - last_m_;
   last_m_ = tip_m;
-  energy_J_ -= dot(sent_N_[static_cast<std::size_t>(latency_ticks_)], way_m);
   return way_m;
 }
 
@@ -91,15 +96,46 @@ StoredEnergyLimit::StoredEnergyLimit(const StoredEnergyOptions& options)
   }
 }
 
-Vec3 StoredEnergyLimit::limited(const Vec3& tip_m, const Vec3& command_N, bool sound,
-                                std::uint32_t& limits) noexcept {
-  if (!begun() || !sound) {
-    begin(tip_m);
+Vec3 StoredEnergyLimit::account(const Vec3& tip_m, HandReading hand) noexcept {
+  const auto hide = [&] {
+    ++hidden_.ticks;
+    hidden_.forces_N += acting_N();
+    hidden_.given_J += dot(acting_N(), lastWay_m_);
+  };
+  if (!options_.countsHiddenWays) {
+    return move(tip_m);
   }
-  const Vec3 way_m = move(tip_m);
-  energy_J_ = std::max(energy_J_, -kEnergyAllowance_J);
-  if (quiet(command_N)) {
+  if (hand == HandReading::kStandsStill) {
+    hide();
+    return lastWay_m_;
+  }
+  if (hidden_.ticks == 0) {
+    lastWay_m_ = move(tip_m);
+    return lastWay_m_;
+  }
+  hide();
+  lastWay_m_ = skip(tip_m) / static_cast<double>(hidden_.ticks);
+  const double given_J = std::max(hidden_.given_J, dot(hidden_.forces_N, lastWay_m_));
+  energy_J_ -= given_J;
+  owed_J_ += std::max(0.0, given_J);
+  hidden_ = {};
+  return lastWay_m_;
+}
+
+Vec3 StoredEnergyLimit::limited(const Vec3& tip_m, const Vec3& command_N, HandReading hand,
+                                std::uint32_t& limits) noexcept {
+  if (!begun() || hand == HandReading::kNone) {
+    begin(tip_m);
+    hidden_ = {};
+    lastWay_m_ = {};
+    owed_J_ = 0.0;
+  }
+  const Vec3 way_m = account(tip_m, hand);
+  energy_J_ = std::max(energy_J_, -kEnergyAllowance_J - owed_J_);
+  const bool hides = options_.countsHiddenWays && hand == HandReading::kStandsStill;
+  if (!hides && quiet(command_N)) {
     energy_J_ = 0.0;
+    owed_J_ = 0.0;
   } else if (command_N == Vec3{}) {
     forget();
   }
@@ -109,7 +145,7 @@ Vec3 StoredEnergyLimit::limited(const Vec3& tip_m, const Vec3& command_N, bool s
   if (size_N > 0.0) {
     const double along_m = dot(way_m, command_N) / size_N;
     const double ahead_N = kHonestStiffness_N_per_m * std::max(0.0, along_m) * (options_.latency_ticks + 1);
-    const double stored_J = std::max(0.0, energy_J_ + kEnergyAllowance_J);
+    const double stored_J = std::max(0.0, energy_J_ - std::max(0.0, hidden_.given_J) + kEnergyAllowance_J);
     double most_N = std::sqrt(2.0 * kHonestStiffness_N_per_m * stored_J + ahead_N * ahead_N) - ahead_N;
     if (!(along_m > 0.0)) {
       most_N = std::max(most_N, kLeastResistance_N);

@@ -35,6 +35,12 @@ class HandPort {
   void begin(const Vec3& tip_m) noexcept;
   /// Adds the energy of the way to `tip_m` and returns that way.
   Vec3 move(const Vec3& tip_m) noexcept;
+  /// Returns the way to `tip_m` without adding its energy.
+  Vec3 skip(const Vec3& tip_m) noexcept;
+  /// Returns the force that acts now, N.
+  [[nodiscard]] const Vec3& acting_N() const noexcept {
+    return sent_N_[static_cast<std::size_t>(latency_ticks_)];
+  }
   /// Tells whether neither this force nor any that still acts differs from zero.
   [[nodiscard]] bool quiet(const Vec3& force_N) const noexcept;
   void keep(const Vec3& force_N) noexcept;
@@ -105,6 +111,16 @@ struct StoredEnergyOptions {
   std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
   /// As PassivityOptions::latency_ticks.
   int latency_ticks = 0;
+  /// Whether the ways that a reading hid are judged (below). False, by rules up to 3: all of such a way
+  /// counts with the last force, and a loss beyond kEnergyAllowance_J is forgiven.
+  bool countsHiddenWays = true;
+};
+
+/// What a device tells of the hand in one tick.
+enum class HandReading : std::uint8_t {
+  kFresh,
+  kStandsStill,  ///< the last position, repeated
+  kNone,         ///< no position: a contact begins anew
 };
 
 /// Last stage of a force, at the hand's port: a force may be no larger than a spring could give that stores
@@ -119,6 +135,10 @@ struct StoredEnergyOptions {
 /// put in is withheld, without damping. E is never below -e, and 0 again whenever no force is wanted and
 /// sent: what a contact can give too much is e and the error of a tick.
 ///
+/// While a reading stands still, nobody knows the way of the hand. It is taken to go on as it went, and once
+/// it is known where it arrived, to have gone there evenly; of the two, what gives the hand more counts. Such
+/// a loss is not forgiven before the contact ends.
+///
 /// A plain value: copying it copies its memory. IEEE basic operations in a fixed order, so that a replay
 /// repeats it bit for bit. Servo thread; noexcept, no allocation.
 class StoredEnergyLimit : public HandPort {
@@ -127,8 +147,8 @@ class StoredEnergyLimit : public HandPort {
   explicit StoredEnergyLimit(const StoredEnergyOptions& options);
 
   /// Returns the force to send, once a tick, after every other limit; kForcePassivity is set in `limits`
-  /// where it was made smaller. `sound`: false while the device delivers no position (a contact begins anew).
-  [[nodiscard]] Vec3 limited(const Vec3& tip_m, const Vec3& command_N, bool sound,
+  /// where it was made smaller.
+  [[nodiscard]] Vec3 limited(const Vec3& tip_m, const Vec3& command_N, HandReading hand,
                              std::uint32_t& limits) noexcept;
   /// Forgets what the hand has put in, once the tissue has let it go: a jaw that closes or opens begins anew.
   void forget() noexcept { energy_J_ = energy_J_ < 0.0 ? energy_J_ : 0.0; }
@@ -136,7 +156,20 @@ class StoredEnergyLimit : public HandPort {
   void lend(double energy_J) noexcept { energy_J_ += energy_J; }
 
  private:
+  /// What is known of a way that a reading hides.
+  struct HiddenWay {
+    int ticks = 0;
+    Vec3 forces_N;         ///< that acted, added up
+    double given_J = 0.0;  ///< to the hand, if it goes on as it went
+  };
+
+  /// Adds the energy of this tick, or notes it as hidden. Returns the way of the tick.
+  Vec3 account(const Vec3& tip_m, HandReading hand) noexcept;
+
   StoredEnergyOptions options_;
+  HiddenWay hidden_;
+  Vec3 lastWay_m_;       // of a tick
+  double owed_J_ = 0.0;  // what hidden ways of this contact may have given the hand
 };
 static_assert(std::is_trivially_copyable_v<StoredEnergyLimit>);
 

@@ -38,8 +38,8 @@ class Bench {
     return last;
   }
   /// Engaged, with the slew limiter settled on the wanted force.
-  static Bench engaged(const Vec3& wanted_N = {}) {
-    Bench bench;
+  static Bench engaged(const Vec3& wanted_N = {}, const GovernorLimits& limits = {}) {
+    Bench bench(limits);
     bench.run(kEngageTime_us / kTick_us + 100, wanted_N);
     return bench;
   }
@@ -178,29 +178,42 @@ TEST(ForceGovernor, F4EngagesInsideTheOrganFromZeroWithAMonotoneRamp) {
   EXPECT_NEAR(before_N, 3.3, kRounding_N);
 }
 
-TEST(ForceGovernor, F5FadesAForceThatIsNoLongerComputedAndFadesItBack) {
-  Bench bench = Bench::engaged({1.0, 0.0, 0.0});
+/// What is sent of 1 N that is not computed anew for 100 ms, tick by tick from then on for 300 ms.
+std::vector<double> stalled_N(bool fadesAtOnce, int firstLate) {
+  Bench bench = Bench::engaged({1.0, 0.0, 0.0}, {.fadesAtOnce = fadesAtOnce});
   const std::int64_t stalledAt_us = bench.now_us;
-
   std::vector<double> sent_N;
   for (int i = 0; i < 300; ++i) {
     bench.now_us += kTick_us;
     const std::int64_t computed_us = i < 100 ? stalledAt_us : bench.now_us;
     const ForceCommand sent = bench.governor.govern({bench.now_us, computed_us, {1.0, 0.0, 0.0}, {}, 0});
     sent_N.push_back(sent.force_N.x);
-    EXPECT_EQ((sent.limits & kForceStale) != 0, i > 4 && i < 199) << i;
+    EXPECT_EQ((sent.limits & kForceStale) != 0, i >= firstLate && i < 199) << i;
   }
+  for (std::size_t i = 101; i < 200; ++i) {
+    EXPECT_GE(sent_N[i], sent_N[i - 1]);
+  }
+  EXPECT_NEAR(sent_N[149], 0.5, 0.02);  // 100 ms of recovery, half done
+  EXPECT_NEAR(sent_N[250], 1.0, kRounding_N);
+  return sent_N;
+}
+
+TEST(ForceGovernor, F5FadesAForceThatIsNoLongerComputedAtOnceAndFadesItBack) {
+  const std::vector<double> sent_N = stalled_N(true, 0);
+
+  for (std::size_t i = 0; i < 100; ++i) {
+    ASSERT_NEAR(sent_N[i], std::max(0.0, 0.75 - 0.25 * static_cast<double>(i)), 1e-9) << i;  // 0 after 4 ms
+  }
+}
+
+TEST(ForceGovernor, F5FadedAForceFromFiveTo25MillisecondsByEarlierRules) {
+  const std::vector<double> sent_N = stalled_N(false, 5);
 
   EXPECT_NEAR(sent_N[4], 1.0, kRounding_N);  // 5 ms old: still whole
   EXPECT_NEAR(sent_N[14], 0.5, 1e-9);        // 15 ms: half way between 5 and 25 ms
   for (std::size_t i = 25; i < 100; ++i) {
     ASSERT_EQ(sent_N[i], 0.0) << i;
   }
-  for (std::size_t i = 101; i < 200; ++i) {
-    ASSERT_GE(sent_N[i], sent_N[i - 1]);
-  }
-  EXPECT_NEAR(sent_N[149], 0.5, 0.02);  // 100 ms of recovery, half done
-  EXPECT_NEAR(sent_N[250], 1.0, kRounding_N);
 }
 
 TEST(ForceGovernor, F5TreatsADeviceThatSaysNothingNewLikeAStall) {

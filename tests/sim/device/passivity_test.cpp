@@ -230,7 +230,7 @@ double givenByAWall_J(double stiffness_N_per_m, double frequency_Hz, double ampl
                                 .tip_m = tip_m})
                        .force_N;
     if (limited) {
-      force_N = limit.limited(tip_m, force_N, true, bits);
+      force_N = limit.limited(tip_m, force_N, HandReading::kFresh, bits);
     }
     if (tick >= 10 * cycleTicks) {  // the governor lets the force in over half a second
       for (int i = 0; i < kSteps; ++i) {
@@ -258,7 +258,7 @@ TEST(StoredEnergyLimit, NeverChangesAPassiveSpring) {
     const Vec3 wanted_N{500.0 * depth_m, 0.0, 0.0};
     std::uint32_t bits = kForceFull;
 
-    const Vec3 force_N = limit.limited({-depth_m, 0.0, 0.0}, wanted_N, true, bits);
+    const Vec3 force_N = limit.limited({-depth_m, 0.0, 0.0}, wanted_N, HandReading::kFresh, bits);
 
     ASSERT_EQ(force_N, wanted_N) << tick;
     ASSERT_EQ(bits, static_cast<std::uint32_t>(kForceFull));
@@ -269,9 +269,9 @@ TEST(StoredEnergyLimit, CountsTheEnergyOfAHeldForceExactly) {
   StoredEnergyLimit limit({});
   std::uint32_t bits = kForceFull;
   // 0.1 N outwards while the hand goes 3 mm in, then 0.2 N while it comes 1 mm out: 0.3 mJ - 0.2 mJ.
-  (void)limit.limited({0.0, 0.0, 0.0}, {0.1, 0.0, 0.0}, true, bits);
-  (void)limit.limited({-0.003, 0.0, 0.0}, {0.2, 0.0, 0.0}, true, bits);
-  (void)limit.limited({-0.002, 0.0, 0.0}, {0.1, 0.0, 0.0}, true, bits);
+  (void)limit.limited({0.0, 0.0, 0.0}, {0.1, 0.0, 0.0}, HandReading::kFresh, bits);
+  (void)limit.limited({-0.003, 0.0, 0.0}, {0.2, 0.0, 0.0}, HandReading::kFresh, bits);
+  (void)limit.limited({-0.002, 0.0, 0.0}, {0.1, 0.0, 0.0}, HandReading::kFresh, bits);
 
   EXPECT_NEAR(limit.energy_J(), 1e-4, 1e-15);
   EXPECT_EQ(bits, static_cast<std::uint32_t>(kForceFull));
@@ -281,7 +281,7 @@ TEST(StoredEnergyLimit, WithholdsAForceWithoutStoredEnergy) {
   StoredEnergyLimit limit({});
   std::uint32_t bits = kForceFull;
 
-  const Vec3 first_N = limit.limited({}, {3.0, 0.0, 0.0}, true, bits);
+  const Vec3 first_N = limit.limited({}, {3.0, 0.0, 0.0}, HandReading::kFresh, bits);
 
   // sqrt(2 K e) of a hand at rest: sqrt(2 x 1000 N/m x 0.1 mJ).
   EXPECT_NEAR(first_N.x, std::sqrt(0.2), 1e-12);
@@ -291,10 +291,11 @@ TEST(StoredEnergyLimit, WithholdsAForceWithoutStoredEnergy) {
 TEST(StoredEnergyLimit, ReturnsTheEnergyThatTheTissueLends) {
   StoredEnergyLimit limit({});
   std::uint32_t bits = kForceFull;
-  (void)limit.limited({}, {}, true, bits);
+  (void)limit.limited({}, {}, HandReading::kFresh, bits);
   limit.lend(0.02);
 
-  EXPECT_EQ(limit.limited({}, {3.0, 0.0, 0.0}, true, bits).x, 3.0);  // sqrt(2 x 1000 x 0.0201) = 6.3 N
+  EXPECT_EQ(limit.limited({}, {3.0, 0.0, 0.0}, HandReading::kFresh, bits).x,
+            3.0);  // sqrt(2 x 1000 x 0.0201) = 6.3 N
 }
 
 TEST(StoredEnergyLimit, ForgetsCreditButNotDebtAtARelease) {
@@ -310,20 +311,68 @@ TEST(StoredEnergyLimit, NeverLeavesAContactWithoutResistance) {
   StoredEnergyLimit limit({});
   std::uint32_t bits = kForceFull;
   double depth_m = 0.004;
-  (void)limit.limited({-depth_m, 0.0, 0.0}, {2.0, 0.0, 0.0}, true, bits);
+  (void)limit.limited({-depth_m, 0.0, 0.0}, {2.0, 0.0, 0.0}, HandReading::kFresh, bits);
   // Out by half a millimetre a tick until nothing is left, then in again.
   for (int i = 0; i < 4; ++i) {
     depth_m -= 0.0005;
-    (void)limit.limited({-depth_m, 0.0, 0.0}, {500.0 * depth_m, 0.0, 0.0}, true, bits);
+    (void)limit.limited({-depth_m, 0.0, 0.0}, {500.0 * depth_m, 0.0, 0.0}, HandReading::kFresh, bits);
   }
   EXPECT_LT(limit.energy_J(), 0.0);
   double last_N = 0.0;
   for (int i = 0; i < 40; ++i) {
     depth_m += 0.00005;
-    last_N = limit.limited({-depth_m, 0.0, 0.0}, {500.0 * depth_m, 0.0, 0.0}, true, bits).x;
+    last_N = limit.limited({-depth_m, 0.0, 0.0}, {500.0 * depth_m, 0.0, 0.0}, HandReading::kFresh, bits).x;
     ASSERT_GE(last_N, kLeastResistance_N * 0.999) << i;
   }
   EXPECT_NEAR(last_N, 500.0 * depth_m, 0.2 * last_N);  // a millimetre or two on, the surface is itself again
+}
+
+TEST(StoredEnergyLimit, CountsAHiddenWayAsIfTheHandHadGoneEvenly) {
+  StoredEnergyLimit limit({});
+  std::uint32_t bits = kForceFull;
+  const Vec3 force_N{0.1, 0.0, 0.0};
+  // 3 mm in, then out by half a millimetre a tick, two of which the reading hides: 0.3 mJ - 4 x 0.05 mJ.
+  (void)limit.limited({}, force_N, HandReading::kFresh, bits);
+  (void)limit.limited({-0.003, 0.0, 0.0}, force_N, HandReading::kFresh, bits);
+  (void)limit.limited({-0.0025, 0.0, 0.0}, force_N, HandReading::kFresh, bits);
+  (void)limit.limited({-0.0025, 0.0, 0.0}, force_N, HandReading::kStandsStill, bits);
+  (void)limit.limited({-0.0025, 0.0, 0.0}, force_N, HandReading::kStandsStill, bits);
+  (void)limit.limited({-0.001, 0.0, 0.0}, force_N, HandReading::kFresh, bits);
+
+  EXPECT_NEAR(limit.energy_J(), 1e-4, 1e-15);
+  EXPECT_EQ(bits, static_cast<std::uint32_t>(kForceFull));
+}
+
+/// The energy of a hand that has 1 mJ from the tissue and goes out by a millimetre a tick, is hidden for two
+/// ticks, is back where it was, and then goes out by 4 mm.
+double leftAfterAHiddenReturn_J(StoredEnergyLimit& limit) {
+  std::uint32_t bits = kForceFull;
+  (void)limit.limited({}, {}, HandReading::kFresh, bits);
+  limit.lend(1e-3);
+  (void)limit.limited({}, {0.5, 0.0, 0.0}, HandReading::kFresh, bits);
+  (void)limit.limited({0.001, 0.0, 0.0}, {0.4, 0.0, 0.0}, HandReading::kFresh, bits);
+  (void)limit.limited({0.001, 0.0, 0.0}, {0.1, 0.0, 0.0}, HandReading::kStandsStill, bits);
+  (void)limit.limited({0.001, 0.0, 0.0}, {0.09, 0.0, 0.0}, HandReading::kStandsStill, bits);
+  (void)limit.limited({0.001, 0.0, 0.0}, {0.05, 0.0, 0.0}, HandReading::kFresh, bits);
+  (void)limit.limited({0.005, 0.0, 0.0}, {0.01, 0.0, 0.0}, HandReading::kFresh, bits);
+  return limit.energy_J();
+}
+
+TEST(StoredEnergyLimit, ForgivesNoLossThatAHiddenWayMayHaveMeantBeforeTheContactEnds) {
+  StoredEnergyLimit limit({});
+
+  // 1 - 0.5 (a millimetre) - (0.4 + 0.1 + 0.09) (hidden) - 0.05 x 4 mJ; 0.1 mJ below 0 were forgiven before.
+  EXPECT_NEAR(leftAfterAHiddenReturn_J(limit), -2.9e-4, 1e-12);
+  std::uint32_t bits = kForceFull;
+  (void)limit.limited({0.005, 0.0, 0.0}, {}, HandReading::kFresh, bits);
+  (void)limit.limited({0.005, 0.0, 0.0}, {}, HandReading::kFresh, bits);
+  EXPECT_EQ(limit.energy_J(), 0.0);
+}
+
+TEST(StoredEnergyLimit, ByEarlierRulesAHiddenReturnCostNothing) {
+  StoredEnergyLimit limit({.countsHiddenWays = false});
+
+  EXPECT_NEAR(leftAfterAHiddenReturn_J(limit), 3e-4, 1e-12);  // 1 - 0.5 - 0.05 x 4 mJ
 }
 
 TEST(StoredEnergyLimit, RefusesOptionsOutOfRange) {

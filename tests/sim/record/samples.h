@@ -72,7 +72,7 @@ inline Sample noiseSample(std::int64_t tick, Random& random) {
   s.force_N = {random.normal(), random.normal(), random.normal()};
   s.contact = static_cast<std::uint32_t>(random.next());
   s.rules = 1 + static_cast<std::uint32_t>(random.bounded(kServoRules));
-  if (s.rules >= kRulesOfDetorsion) {
+  if (areOfDetorsion(s.rules)) {
     s.hollow = {1e5 * random.uniform(), random.uniform(), random.uniform(), 3.0 * random.uniform()};
   }
   return s;

@@ -110,7 +110,7 @@ TEST(DetorsionTrial, IsUndoneByAScriptedHandInTheLeastNumberOfGrips) {
 
 TEST(DetorsionTrial, StampsItsRulesAndHoldsNoNumberThatIsNotFinite) {
   for (const Sample& s : done().samples) {
-    ASSERT_EQ(s.rules, kRulesOfDetorsion);
+    ASSERT_EQ(s.rules, kRulesOfDetorsionStandstill);
     ASSERT_TRUE(std::isfinite(s.hollow.pressure_Pa) && std::isfinite(s.hollow.patency) &&
                 std::isfinite(s.hollow.flow) && std::isfinite(s.hollow.dose));
     ASSERT_TRUE(std::isfinite(s.response.torque_Nm) && isFinite(s.force_N));
