@@ -184,7 +184,8 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
   if (!in.equivalenceMargin) {
     return std::nullopt;
   }
-  const ReportCell margin = resultsAtEnd(ledger)("equivalence_margin", fixed(2));
+  const ReportCell margin =
+      resultsAtEnd(ledger)("equivalence_margin", fixed(2), Text(formatFixed(*in.equivalenceMargin, 2)));
   ReportTable table =
       itemOf<ReportTable>(in, "table-equivalence", Text::tr("Whether the groups are equal within the margin"),
                           Text::tr("two one-sided tests, %1", primaryMethodText(study)));
