@@ -7,6 +7,7 @@
 #include <string>
 #include <unistd.h>
 
+#include <QByteArray>
 #include <QtGlobal>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
