@@ -454,7 +454,7 @@ TEST(RunVerdict, StatesARequirementOnceIfARuleRepeatsIt) {
 
   ASSERT_EQ(verdict.checks.size(), 3U);
   EXPECT_EQ(verdict.checks[0].text(), "Peak force: 0.40 N, at most 2.00 N");
-  EXPECT_EQ(verdict.checks[1].text(), "Untwisted: yes, wanted yes (1 in a row, 2 needed)");
+  EXPECT_EQ(verdict.checks[1].text(), "Untwisted: yes (yes required) (1 in a row, 2 needed)");
   EXPECT_EQ(verdict.checks[2].text(),
             "Peak force: 0.40 N, at most 1.00 N");  // a stricter limit is another one
 }

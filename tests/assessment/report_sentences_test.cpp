@@ -311,8 +311,8 @@ TEST(CompetenceSection, TheFirstPageUsesItsVerdictsOnly) {
   ASSERT_EQ(table->notes.size(), 1U);
   EXPECT_THAT(
       table->notes[0].str(),
-      HasSubstr("competent at it in at most 12.0 % of cases; one who is adequate at all of them is not "
-                "judged competent at one of them in at most 21.6 %"))
+      HasSubstr("at most 12.0 % of trainees who are inadequate at an exercise are judged competent at it, "
+                "and at most 21.6 % of those who are adequate at every exercise are not"))
       << "one of the two exercises is enough not to be competent at both";
   in.competence[3].required = false;
   EXPECT_EQ(tableIn(cohortReport(in), "table-standard")->rows.at(0).at(5), "2 of 3: x101, x102");
