@@ -203,7 +203,7 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
       {Text::tr("%1 Equal: the 90 % interval lies within -%2 to %2, which is where p is below 0.05. "
                 "Not shown to be equal does not say that the groups differ.",
                 plan, margin.words()),
-       {margin}}};
+       {margin, margin}}};  // stated twice
   for (const PrimaryDifference& pair : primaryDifferences(study)) {
     if (!(pair.error > 0.0)) {
       table.rows.push_back({pairName(in, pair.first, pair.second), Text::tr("not defined"), "", ""});

@@ -81,6 +81,31 @@ Text withCentre(const StudyAnalysis& study) {
                    study.sites->sites.size(), kMinRandomSites);
 }
 
+/// Names the analysis of complete data, and what its standard errors assume.
+Text usedAsPlanned(const CohortInputs& in, const StudyAnalysis& study) {
+  const bool centres = study.primaryMethod() == PrimaryMethod::kCentres;
+  const Text errors =
+      study.allowsForSpreads()
+          ? Text::tr(
+                "Its standard errors and degrees of freedom hold for unequal spreads, too (HC3, Bell "
+                "and McCaffrey).")
+      : centres
+          ? Text::tr(
+                "Its standard errors are those of the model, with degrees of freedom after Satterthwaite.")
+          : Text::tr(
+                "Its standard errors assume that all groups spread alike: somebody is alone in a group.");
+  return centres ? Text::verbatim("%1 %2 %3", planText(in), withCentre(study), errors)
+         : in.hasAnalysisPlan()
+             ? Text::tr(
+                   "Planned and used: the analysis of covariance of the score at the end on the score "
+                   "before. %1",
+                   errors)
+             : Text::tr(
+                   "Used: the analysis of covariance of the score at the end on the score before. %1 No "
+                   "plan of the analysis is in the record.",
+                   errors);
+}
+
 }  // namespace
 
 ReportParagraph ratersOfSomeGroupsSentence(const CohortInputs& in, const std::vector<std::string>& codes,
@@ -121,32 +146,11 @@ std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& in, const StudyA
   }
   const bool centres = study.primaryMethod() == PrimaryMethod::kCentres;
   if (study.asPlanned()) {
-    const Text errors =
-        study.allowsForSpreads()
-            ? Text::tr(
-                  "Its standard errors and degrees of freedom hold for unequal spreads, too (HC3, Bell "
-                  "and McCaffrey).")
-        : centres
-            ? Text::tr(
-                  "Its standard errors are those of the model, with degrees of freedom after Satterthwaite.")
-            : Text::tr(
-                  "Its standard errors assume that all groups spread alike: somebody is alone in a group.");
-    const Text used =
-        centres ? Text::verbatim("%1 %2 %3", planText(in), withCentre(study), errors)
-        : in.hasAnalysisPlan()
-            ? Text::tr(
-                  "Planned and used: the analysis of covariance of the score at the end on the score "
-                  "before. %1",
-                  errors)
-            : Text::tr(
-                  "Used: the analysis of covariance of the score at the end on the score before. %1 No "
-                  "plan of the analysis is in the record.",
-                  errors);
     const Text marks =
         out.empty()
             ? Text::tr("No mark of the first and the last occasion is missing.")
             : Text::tr("Every trainee has the marks that most have at the first and the last occasion.");
-    out.insert(out.begin(), Text::verbatim("%1 %2", used, marks));
+    out.insert(out.begin(), Text::verbatim("%1 %2", usedAsPlanned(in, study), marks));
     return out;
   }
   const ResultsAt at = resultsAtEnd(ledger);

@@ -2,6 +2,7 @@
 #include "app/services/access/outdated_access.h"
 
 #include "db/connection/connection.h"
+#include "db/repository/people/access_repository.h"
 
 namespace torsio {
 

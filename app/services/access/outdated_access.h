@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/services/access/session_context.h"
-#include "db/repository/people/access_repository.h"
+#include "assessment/domain/people/outdated_access.h"
 #include "sim/core/text.h"
 
 namespace torsio {

@@ -17,6 +17,7 @@
 #include "db/migrations/dialect.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/people/server_roles.h"
 #include "db/repository/system/schema_tables.h"
 #include "sim/core/error.h"

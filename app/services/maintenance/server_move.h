@@ -8,7 +8,7 @@
 #include "app/services/access/session_context.h"
 #include "app/services/base/progress.h"
 #include "app/services/recording/unstored_trials.h"
-#include "db/repository/people/access_repository.h"
+#include "assessment/domain/people/outdated_access.h"
 #include "db/repository/system/record_copy.h"
 
 namespace torsio {

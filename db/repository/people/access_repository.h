@@ -8,6 +8,7 @@
 
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/account.h"
+#include "assessment/domain/people/outdated_access.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/stored_password.h"
 
@@ -41,13 +42,6 @@ struct InvitationRow {
   UserId userId{};
   std::int64_t madeUtc_us = 0;
   std::int64_t expiresUtc_us = 0;
-};
-
-/// Whose cards and links an earlier version stored in a form that opens nothing any more: on a prepared
-/// server both, in a file links.
-struct OutdatedAccess {
-  std::vector<UserId> cards{};
-  std::vector<UserId> links{};
 };
 
 /// Users, roles, and the matrix role x operation (filled by the migration). Default deny.
