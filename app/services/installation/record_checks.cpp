@@ -9,6 +9,7 @@
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/people/server_roles.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/error.h"
