@@ -96,7 +96,7 @@ TEST_F(Shell, AVisitNeedsNoPasswordAndLeavesNothingBehind) {
   testing::waitFor(window_->background());
 
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
-  EXPECT_TRUE(says(*window_, QStringLiteral("Everybody here is simulated")));
+  EXPECT_TRUE(says(*window_, QStringLiteral("everybody here is simulated")));
   const QString file = toQString(window_->session()->key().locator);
   EXPECT_TRUE(QFileInfo::exists(file));
   EXPECT_FALSE(QFileInfo::exists(setup().locator));
@@ -429,7 +429,7 @@ TEST_F(Shell, WhoLooksRoundHasTimeAndIsToldWhenTheSampleIsGone) {
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   EXPECT_TRUE(
       says(*window_,
-           QStringLiteral("nobody was here. The simulated people and what you did with them are deleted")));
+           QStringLiteral("nobody was here. The sample data have been deleted")));
 }
 
 TEST_F(Shell, TheIdleLockNeverEndsARun) {
