@@ -501,7 +501,7 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
   CompetenceDialog dialog(desk.shell(), version, nullptr);
   auto* preview = &child<QLabel>(dialog, "preview");
   auto* store = &child<QPushButton>(dialog, "register");
-  EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("shipped with the exercise")));
+  EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("Default competence rule")));
   EXPECT_TRUE(preview->text().contains(
       QStringLiteral("and 2.5\u00a0% are declared competent within the 80 runs planned")));
   EXPECT_TRUE(store->isEnabled());
