@@ -78,7 +78,7 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   station.desk().readiness = torsio::testing::deviceWith(Light::kGreen);
 
   station.open(PageId::kRun);
-  EXPECT_TRUE(station.allText().contains(QStringLiteral("Nothing is recorded.")));
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("Only training time is logged.")));
   ASSERT_TRUE(tracker.wait());
   Line line(tracker);
   line.send(25);
