@@ -427,9 +427,7 @@ TEST_F(Shell, WhoLooksRoundHasTimeAndIsToldWhenTheSampleIsGone) {
   QApplication::processEvents();
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
-  EXPECT_TRUE(
-      says(*window_,
-           QStringLiteral("nobody was here. The sample data have been deleted")));
+  EXPECT_TRUE(says(*window_, QStringLiteral("nobody was here. The sample data have been deleted")));
 }
 
 TEST_F(Shell, TheIdleLockNeverEndsARun) {
