@@ -27,6 +27,9 @@ endfunction()
 
 # torsio_use_precompiled(target kind)
 function(torsio_use_precompiled target kind)
+  if(kind MATCHES "tests$")
+    target_compile_options(${target} PRIVATE ${torsio_plain_code})
+  endif()
   target_precompile_headers(${target} REUSE_FROM torsio_precompiled_${kind})
 endfunction()
 
@@ -39,9 +42,10 @@ if(TORSIO_BUILD_APP)
   torsio_precompiled(widgets HEADERS ${torsio_standard_headers} ${torsio_widget_headers} LINK Qt6::Widgets)
 endif()
 if(TORSIO_BUILD_TESTS)
-  torsio_precompiled(tests HEADERS ${torsio_standard_headers} <gtest/gtest.h> <gmock/gmock.h> LINK GTest::gtest)
+  torsio_precompiled(tests HEADERS ${torsio_standard_headers} <gtest/gtest.h> <gmock/gmock.h> LINK GTest::gtest
+    OPTIONS ${torsio_plain_code})
   if(TORSIO_BUILD_APP)
-    torsio_precompiled(widget_tests LINK GTest::gtest Qt6::Widgets
+    torsio_precompiled(widget_tests LINK GTest::gtest Qt6::Widgets OPTIONS ${torsio_plain_code}
       HEADERS ${torsio_standard_headers} ${torsio_widget_headers} <gtest/gtest.h> <gmock/gmock.h>)
   endif()
 endif()
