@@ -48,7 +48,7 @@ start() {
   tools=$(tools_folder)
   password=$(od -An -N16 -tx1 /dev/urandom | tr -d ' \n')
   for _ in 1 2 3 4 5; do
-    port=$((20000 + RANDOM % 20000))
+    port=$((20000 + RANDOM % 12000))  # below those that Linux gives to clients: one of them could take it while it is down
     folder=$(cluster_folder "$port")
     mkdir "$folder" 2>/dev/null || continue
     (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null && { rmdir "$folder"; continue; }
