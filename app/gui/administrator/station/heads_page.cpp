@@ -297,7 +297,7 @@ void HeadsPage::retranslate() {
   station_->setTitle(tr("This station"));
   useKey_->setText(tr("&Use another key\u2026"));
   witness_->setText(tr("Choose the &witness file\u2026"));
-  noWitness_->setText(tr("S&top saving checkpoints"));
+  noWitness_->setText(tr("Stop saving c&heckpoints"));
   nameField(addressLabel_, tr("Time stamp authorit&y"));
   stamps_->setText(tr("&Set with its certificate\u2026"));
   noStamps_->setText(tr("No &time stamps"));
