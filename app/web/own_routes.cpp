@@ -145,10 +145,14 @@ json debriefJson(const Call& call, const Debrief& shown) {
             {"strengths", json::array()},
             {"weaknesses", json::array()},
             {"findings", json::array()}};
-  for (const TargetCheck& check : shown.verdict.checks) {
+  for (std::size_t i = 0; i < shown.verdict.checks.size(); ++i) {
+    const TargetCheck& check = shown.verdict.checks[i];
+    const MissedTarget missed = shown.missed[i].value_or(MissedTarget());
     told["checks"].push_back({{"text", said(call, check.text())},
                               {"passed", check.passed},
-                              {"lost", shown.verdict.torn && !check.value}});
+                              {"lost", shown.verdict.torn && !check.value},
+                              {"advice", said(call, missed.advice)},
+                              {"from_s", missed.when ? json(missed.when->from_s) : json(nullptr)}});
   }
   for (const DebriefFinding& finding : shown.strengths) {
     told["strengths"].push_back(findingJson(call, finding));

@@ -32,6 +32,14 @@ constexpr Direction kNeither = Direction::kNeither;
 constexpr Phrase kTask = Text::tr("task start to task end");
 constexpr Phrase kHolding = Text::tr("while the organ is held");
 constexpr Phrase kTouching = Text::tr("from the first contact to the last");
+constexpr Phrase kStopAtTarget =
+    Text::tr("Slow down before the target, and let go only while you are on it.");
+constexpr Phrase kFindDirection =
+    Text::tr("Turn a little and look which way the folds open before you go on.");
+constexpr Phrase kGripGently =
+    Text::tr("Grip more gently: tissue without blood bears only half the pressure.");
+constexpr Phrase kRest = Text::tr("Rest between the stages, so that blood returns slowly.");
+constexpr Phrase kPressLess = Text::tr("Press less while you turn; the grip holds the tissue.");
 
 // clang-format off
 // For an organ that starts twisted by phi_0; limits, d (hands off) and q_c come from its scene.
@@ -39,21 +47,23 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
     {Quantity::kOnTarget, "twist.on_target", Text::tr("Twists on target"),
      Text::tr("Share of the twists that were let go within the tolerance of the target."),
      Text::tr("twists on target / completed twists"), "1", kPercent, kHigher, Text::tr("whole run"),
-     QuantityScope::kRun, {.asked = true, .inTrend = true}},
+     QuantityScope::kRun, {.asked = true, .inTrend = true, .advice = kStopAtTarget}},
     {Quantity::kTargetsReached, "twist.targets_reached", Text::tr("Targets reached"),
      Text::tr("Number of the twists that were let go within the tolerance of the target."),
      Text::tr("count of completed twists with |angle at letting go - target| <= tolerance"), "count",
      kNumber, kHigher, Text::tr("whole run"), QuantityScope::kRun,
-     {.kind = QuantityKind::kCount, .asked = true}},
+     {.kind = QuantityKind::kCount, .asked = true, .advice = kStopAtTarget}},
     {Quantity::kCompletedTwists, "twist.completed", Text::tr("Twists completed"),
      Text::tr("Number of the twists that were let go; the others are counted apart."),
      Text::tr("count of twists that were let go"), "count", kNumber, kHigher, Text::tr("whole run"),
-     QuantityScope::kRun, {.kind = QuantityKind::kCount}},
+     QuantityScope::kRun,
+     {.kind = QuantityKind::kCount, .advice = Text::tr("Grip again as soon as the organ has sprung back.")}},
     {Quantity::kShortestHold, "twist.shortest_hold", Text::tr("Shortest hold on target"),
      Text::tr("How long the angle was on target before letting go, in the twist on target where that "
          "was shortest."),
      Text::tr("min over twists on target of the last stay inside target +- tolerance"), "s", kSeconds,
-     kHigher, Text::tr("whole run"), QuantityScope::kRun, {.missing = Text::tr("none")}},
+     kHigher, Text::tr("whole run"), QuantityScope::kRun,
+     {.advice = Text::tr("Stay still on the target before you let go."), .missing = Text::tr("none")}},
     {Quantity::kTornTwists, "run.torn", Text::tr("Twists with lost samples"),
      Text::tr("How many twists the computer recorded with a gap of more than 20 ms; an untwisting "
          "counts as one."), Text::tr("count of twists with a gap of more than 20 ms"), "count", kNumber,
@@ -73,7 +83,8 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
     {Quantity::kTime, "time.total", Text::tr("Time"),
      Text::tr("How long a twist took, from the grip to the end of its return; of an untwisting the "
          "whole run."), Text::verbatim("t_end - t_start"), "s", kSeconds, kLower, kTask,
-     QuantityScope::kHand, {.asked = true, .inTrend = true}},
+     QuantityScope::kHand,
+     {.asked = true, .inTrend = true, .advice = Text::tr("Plan the turn before you grip, then do it without a pause.")}},
     {Quantity::kTipPath, "tip.path", Text::tr("Path of the tip"),
      Text::tr("How far the tip of the instrument travelled."),
      Text::tr("sum of |p(i+1) - p(i)|, pose filtered at 10 Hz"), "m", {"mm", 1000.0, 0}, kLower, kTask,
@@ -168,8 +179,7 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
      Text::tr("Maximum force on the tissue, even if the device could not render it."),
      Text::tr("maximum of all samples, not filtered"), "N", kNewtons, kLower, kTouching,
      QuantityScope::kGrip,
-     {.asked = true, .inTrend = true, .merit = {1.0, 0.2},
-      .advice = Text::tr("Press less while you turn; the grip holds the tissue."),
+     {.asked = true, .inTrend = true, .merit = {1.0, 0.2}, .advice = kPressLess,
       .moment = QuantityMoment::kPeakForce}},
     {Quantity::kDeviceForce, "force.device_peak", Text::tr("Peak force of the device"),
      Text::tr("Largest force commanded to the device."),
@@ -188,7 +198,8 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
      Text::tr("How often the allowed force was exceeded."),
      Text::tr("excursions above the limit, merged below 50 ms, ignored below 10 ms"), "count", kNumber,
      kLower, kHolding, QuantityScope::kGrip,
-     {.kind = QuantityKind::kCount, .over = OverTwists::kSum, .asked = true}},
+     {.kind = QuantityKind::kCount, .over = OverTwists::kSum, .asked = true, .advice = kPressLess,
+      .moment = QuantityMoment::kPeakForce}},
     {Quantity::kForceViolationTime, "force.violation_time", Text::tr("Time above the force limit"),
      Text::tr("How long the allowed force was exceeded."), Text::tr("samples above the limit / rate"), "s",
      kSeconds, kLower, kHolding, QuantityScope::kGrip, {.over = OverTwists::kSum}},
@@ -200,7 +211,8 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
      QuantityScope::kGrip},
     {Quantity::kPeakTorque, "torque.peak", Text::tr("Peak torque"),
      Text::tr("Largest torque on the tissue."), Text::tr("maximum of all samples, not filtered"), "N m",
-     kNewtonMetres, kLower, kTouching, QuantityScope::kGrip, {.asked = true}},
+     kNewtonMetres, kLower, kTouching, QuantityScope::kGrip,
+     {.asked = true, .advice = Text::tr("Do not turn beyond the target."), .moment = QuantityMoment::kPeakTorque}},
     {Quantity::kTorqueViolations, "torque.violations", Text::tr("Torque violations"),
      Text::tr("How often the allowed torque was exceeded."),
      Text::tr("excursions above the limit, merged below 50 ms, ignored below 10 ms"), "count", kNumber,
@@ -227,16 +239,21 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
      Text::tr("Whether the organ stayed untwisted, open, perfused and intact without being held."),
      Text::tr("|phi| <= limit and patency >= least and flow >= least for d without hand and clip; jaw "
          "and force never at what tears the wall"), "1", kNumber, kHigher, kTask,
-     QuantityScope::kUntwisting, {.kind = QuantityKind::kAnswer, .asked = true, .inTrend = true}},
+     QuantityScope::kUntwisting,
+     {.kind = QuantityKind::kAnswer, .asked = true, .inTrend = true,
+      .advice = Text::tr("Turn it back fully, then keep your hands off and check the blood flow.")}},
     {Quantity::kTimeToFlow, "detorse.time_to_flow", Text::tr("Time until blood flows"),
      Text::tr("When blood came back; undefined (censored at the end) where it did not."),
      Text::tr("first time from which flow >= q_c for 5 s; seconds of the hand"), "s", kSeconds, kLower,
      kTask, QuantityScope::kUntwisting,
-     {.asked = true, .inTrend = true, .missing = Text::tr("blood did not come back")}},
+     {.asked = true, .inTrend = true,
+      .advice = Text::tr("Find the direction first, then turn without delay: time without blood counts."),
+      .missing = Text::tr("blood did not come back")}},
     {Quantity::kDose, "detorse.dose", Text::tr("Ischaemic dose"),
      Text::tr("How much the organ has suffered for want of blood at most; from 1 on it is lost."),
      Text::tr("largest D"), "1", kNumber2, kLower, kTask, QuantityScope::kUntwisting,
-     {.asked = true, .inTrend = true}},
+     {.asked = true, .inTrend = true,
+      .advice = Text::tr("Let blood flow return earlier, in stages if it takes long.")}},
     {Quantity::kDoseAtFlow, "detorse.dose_at_flow", Text::tr("Ischaemic dose when blood flows"),
      Text::tr("How much the organ had suffered when blood came back."),
      Text::tr("D at the time until blood flows"), "1", kNumber2, kLower, kTask, QuantityScope::kUntwisting,
@@ -244,23 +261,28 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
     {Quantity::kResidual, "detorse.residual", Text::tr("Twist that remains"),
      Text::tr("How far the organ still was turned hands off."),
      Text::tr("|phi| d after hand and clip let go for the last time"), "rad", kDegrees0, kLower,
-     Text::tr("after the last release"), QuantityScope::kUntwisting, {.asked = true, .inTrend = true}},
+     Text::tr("after the last release"), QuantityScope::kUntwisting,
+     {.asked = true, .inTrend = true, .advice = Text::tr("Turn on until nothing turns back once you let go.")}},
     {Quantity::kRelapse, "detorse.relapse", Text::tr("Relapse"),
      Text::tr("Whether the organ turned back after it was undone."),
      Text::tr("|phi| > relapse angle after it was undone"), "1", kNumber, kLower,
      Text::tr("after it was undone"), QuantityScope::kUntwisting,
-     {.kind = QuantityKind::kAnswer, .asked = true}},
+     {.kind = QuantityKind::kAnswer, .asked = true,
+      .advice = Text::tr("Turn slightly past the untwisted position before you let go.")}},
     {Quantity::kFirstDirection, "detorse.first_direction", Text::tr("First turn the right way"),
      Text::tr("Whether the first real turn went the right way."),
      Text::tr("sign of the first net turn of 15 degrees while held = -sign(phi_0)"), "1", kNumber, kHigher,
-     kHolding, QuantityScope::kUntwisting, {.kind = QuantityKind::kAnswer, .asked = true}},
+     kHolding, QuantityScope::kUntwisting,
+     {.kind = QuantityKind::kAnswer, .asked = true, .advice = kFindDirection}},
     {Quantity::kWrongWay, "detorse.wrong_way", Text::tr("Turned the wrong way"),
      Text::tr("How far the organ was twisted beyond its initial twist."), Text::verbatim("max |phi| - |phi_0|"),
-     "rad", kDegrees0, kLower, kTask, QuantityScope::kUntwisting, {.asked = true}},
+     "rad", kDegrees0, kLower, kTask, QuantityScope::kUntwisting, {.asked = true, .advice = kFindDirection}},
     {Quantity::kRegrips, "detorse.regrips", Text::tr("Re-grips"),
      Text::tr("How often the hand let go of an organ that was still twisted."),
      Text::tr("releases with |phi| > 30 degrees"), "count", kNumber, kLower, kTask,
-     QuantityScope::kUntwisting, {.kind = QuantityKind::kCount, .asked = true, .inTrend = true}},
+     QuantityScope::kUntwisting,
+     {.kind = QuantityKind::kCount, .asked = true, .inTrend = true,
+      .advice = Text::tr("Use the whole range of your wrist before you take a new grip.")}},
     {Quantity::kLeastRegrips, "detorse.least_regrips", Text::tr("Least number of re-grips"),
      Text::tr("How often a hand that turns 155 degrees must let go at least; to read the re-grips "
          "against."), Text::tr("ceil(|phi_0| / 155 degrees) - 1"), "count", kNumber, kNeither,
@@ -268,10 +290,12 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
     {Quantity::kSlipBack, "detorse.slip_back", Text::tr("Slipped back"),
      Text::tr("How far the organ turned back while the hand took a new grip."),
      Text::tr("sum of the rise of |phi| between a release and the next grip"), "rad", kDegrees0, kLower,
-     Text::tr("between two grips"), QuantityScope::kUntwisting, {.asked = true, .inTrend = true}},
+     Text::tr("between two grips"), QuantityScope::kUntwisting,
+     {.asked = true, .inTrend = true, .advice = Text::tr("Set the clip before you let go.")}},
     {Quantity::kPeakJaw, "detorse.peak_jaw", Text::tr("Peak pressure of the jaw"),
      Text::tr("Largest pressure of the jaw on the wall."), Text::tr("max of jaw force / jaw area"), "Pa",
-     {"kPa", 1e-3, 0}, kLower, kHolding, QuantityScope::kUntwisting, {.asked = true, .inTrend = true}},
+     {"kPa", 1e-3, 0}, kLower, kHolding, QuantityScope::kUntwisting,
+     {.asked = true, .inTrend = true, .advice = kGripGently}},
     {Quantity::kPeakShear, "detorse.peak_shear", Text::tr("Peak shear of the wall"),
      Text::tr("Largest shear stress of the wall; needs the scene."),
      Text::tr("maximum over the wall and over time"), "Pa", {"kPa", 1e-3, 1}, kLower, kTask,
@@ -279,7 +303,7 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
     {Quantity::kOverloadTime, "detorse.overload_time", Text::tr("Time of overload"),
      Text::tr("How long jaw or pull hurt the wall as it then was."),
      Text::tr("time with jaw pressure or force above limit x (1 - 0.5 min(D, 1))"), "s", kSeconds, kLower,
-     kTask, QuantityScope::kUntwisting, {.asked = true, .inTrend = true}},
+     kTask, QuantityScope::kUntwisting, {.asked = true, .inTrend = true, .advice = kGripGently}},
     {Quantity::kLeastPatency, "detorse.min_patency", Text::tr("Least patency"),
      Text::tr("Narrowest that the lumen was: 100 % open, 0 % closed."),
      Text::tr("min of the free cross-section at the waist"), "1", kPercent, kHigher, kTask,
@@ -287,17 +311,19 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
     {Quantity::kVentedFirst, "detorse.vented_first", Text::tr("Let out first"),
      Text::tr("Whether the content was let out before the organ was turned."),
      Text::tr("way out open for 3 s in all before the first net turn of 15 degrees while held"), "1",
-     kNumber, kHigher, kTask, QuantityScope::kUntwisting, {.kind = QuantityKind::kAnswer, .asked = true}},
+     kNumber, kHigher, kTask, QuantityScope::kUntwisting,
+     {.kind = QuantityKind::kAnswer, .asked = true,
+      .advice = Text::tr("Let the content out before you turn the organ.")}},
     {Quantity::kLongestStage, "detorse.longest_stage", Text::tr("Longest turn without a rest"),
      Text::tr("How far the organ was turned back at most between two rests; where the scene asks for "
          "stages."),
      Text::tr("max of |phi| where the stage began - |phi|; a stage begins where |phi| stayed within 5 "
          "degrees for the rest that is asked for"), "rad", kDegrees0, kLower, kTask,
-     QuantityScope::kUntwisting, {.asked = true}},
+     QuantityScope::kUntwisting, {.asked = true, .advice = kRest}},
     {Quantity::kInStages, "detorse.in_stages", Text::tr("Untwisted in stages"),
      Text::tr("Whether no turn without a rest was longer than the scene asks for."),
      Text::tr("longest turn without a rest <= stage + 15 degrees"), "1", kNumber, kHigher, kTask,
-     QuantityScope::kUntwisting, {.kind = QuantityKind::kAnswer, .asked = true}},
+     QuantityScope::kUntwisting, {.kind = QuantityKind::kAnswer, .asked = true, .advice = kRest}},
 });
 // clang-format on
 
@@ -305,7 +331,8 @@ constexpr bool rowsAreCompleteAndOrdered() {
   for (std::size_t i = 0; i < kRows.size(); ++i) {
     const QuantityRow& row = kRows[i];
     if (static_cast<std::size_t>(row.quantity) != i || row.id.empty() || row.name.empty() ||
-        row.meaning.empty() || row.formula.empty() || row.unit.empty() || row.window.empty()) {
+        row.meaning.empty() || row.formula.empty() || row.unit.empty() || row.window.empty() ||
+        (row.traits.asked && row.traits.advice.empty())) {
       return false;
     }
   }

@@ -109,6 +109,7 @@ enum class OverTwists : std::uint8_t { kMedian, kSum, kLargest };
 enum class QuantityMoment : std::uint8_t {
   kWholeTwist,
   kPeakForce,     ///< at the maximum force on the tissue
+  kPeakTorque,    ///< at the maximum torque on the tissue
   kFarthestTurn,  ///< at the maximum angle in the target's direction
   kFromGrip,      ///< the value is the time in seconds since the grip
   kHold,          ///< while the angle is held
@@ -136,7 +137,7 @@ struct QuantityTraits {
   double least = 0.0;    ///< minimum possible value, SI; lower end for thresholds
   bool inTrend = false;  ///< offered in trends even if no rule uses it
   MeritWeight merit{};
-  Phrase advice{};  ///< for a trainee with this weakness; empty: none
+  Phrase advice{};  ///< for a trainee with this weakness; a quantity that a rule may ask for has one
   QuantityMoment moment = QuantityMoment::kWholeTwist;
   Phrase missing = Text::tr("not measured");  ///< shown if a run has no value
 };

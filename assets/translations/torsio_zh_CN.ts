@@ -21932,7 +21932,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, nor do you see theirs.</source>
-        <translation>病例已设盲，并单独为您打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到别人的评分。</translation>
+        <translation>案例已设盲，并单独为您打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到别人的评分。</translation>
     </message>
     <message>
         <source>in progress, saved automatically</source>
@@ -22130,6 +22130,70 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Draw repeated to check it</source>
         <translation>已重复抽签以作核查</translation>
     </message>
+    <message>
+        <source>Slow down before the target, and let go only while you are on it.</source>
+        <translation>接近目标时放慢，只在处于目标范围内时松开。</translation>
+    </message>
+    <message>
+        <source>Turn a little and look which way the folds open before you go on.</source>
+        <translation>先稍稍转动，看清皱褶朝哪个方向展开，再继续。</translation>
+    </message>
+    <message>
+        <source>Grip more gently: tissue without blood bears only half the pressure.</source>
+        <translation>请夹得更轻：缺血组织只能承受一半的压力。</translation>
+    </message>
+    <message>
+        <source>Rest between the stages, so that blood returns slowly.</source>
+        <translation>各阶段之间请停一停，让血流缓慢恢复。</translation>
+    </message>
+    <message>
+        <source>Grip again as soon as the organ has sprung back.</source>
+        <translation>器官弹回后立即再次夹取。</translation>
+    </message>
+    <message>
+        <source>Stay still on the target before you let go.</source>
+        <translation>松开之前请在目标处保持不动。</translation>
+    </message>
+    <message>
+        <source>Plan the turn before you grip, then do it without a pause.</source>
+        <translation>夹取前先想好如何扭转，然后一气呵成。</translation>
+    </message>
+    <message>
+        <source>Do not turn beyond the target.</source>
+        <translation>不要转过目标。</translation>
+    </message>
+    <message>
+        <source>Turn it back fully, then keep your hands off and check the blood flow.</source>
+        <translation>完全复位后松手，并检查血流。</translation>
+    </message>
+    <message>
+        <source>Find the direction first, then turn without delay: time without blood counts.</source>
+        <translation>先判断方向，然后立即转动：缺血时间会累计。</translation>
+    </message>
+    <message>
+        <source>Let blood flow return earlier, in stages if it takes long.</source>
+        <translation>请更早恢复血流；若耗时较长，请分阶段进行。</translation>
+    </message>
+    <message>
+        <source>Turn on until nothing turns back once you let go.</source>
+        <translation>继续转动，直到松手后不再回转。</translation>
+    </message>
+    <message>
+        <source>Turn slightly past the untwisted position before you let go.</source>
+        <translation>松手前请略微转过复位位置。</translation>
+    </message>
+    <message>
+        <source>Use the whole range of your wrist before you take a new grip.</source>
+        <translation>重新夹取之前，请用足手腕的活动范围。</translation>
+    </message>
+    <message>
+        <source>Set the clip before you let go.</source>
+        <translation>松手前请先上夹子。</translation>
+    </message>
+    <message>
+        <source>Let the content out before you turn the organ.</source>
+        <translation>转动器官之前先排出内容物。</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -22220,6 +22284,30 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Turn in one even movement.</source>
         <translation>一次平稳地转动。</translation>
+    </message>
+    <message>
+        <source>Draw back before the next twist.</source>
+        <translation>下一次扭转前请先退回。</translation>
+    </message>
+    <message>
+        <source>Jaw: holds the tissue</source>
+        <translation>钳口：已夹住组织</translation>
+    </message>
+    <message>
+        <source>Jaw: closed, nothing in it</source>
+        <translation>钳口：已闭合，未夹住组织</translation>
+    </message>
+    <message>
+        <source>Jaw: open</source>
+        <translation>钳口：张开</translation>
+    </message>
+    <message>
+        <source>The jaw closed without tissue. Release the button, touch the band, then press it.</source>
+        <translation>钳口闭合时未夹住组织。请松开按钮，触到标记带后再按下。</translation>
+    </message>
+    <message>
+        <source>The jaw closed without tissue. Let go, touch the band, then close it.</source>
+        <translation>钳口闭合时未夹住组织。请松开，触到标记带后再闭合。</translation>
     </message>
 </context>
 <context>
@@ -23133,7 +23221,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     </message>
     <message>
         <source>A sheet is in: if it was the wrong person, end the call and report a deviation.</source>
-        <translation>已有评分表提交：如果叫错了人，请结束呼叫并报告偏离。</translation>
+        <translation>已有评分表提交：如果叫错了人，请结束呼叫并报告方案偏离。</translation>
     </message>
 </context>
 <context>
@@ -27159,10 +27247,6 @@ Its public part, to be kept where checkpoints are checked: %2</source>
         <translation>选择见证文件(&amp;W)…</translation>
     </message>
     <message>
-        <source>S&amp;top saving checkpoints</source>
-        <translation>停止保存校验点(&amp;T)</translation>
-    </message>
-    <message>
         <source>Current checkpoint</source>
         <translation>当前校验点</translation>
     </message>
@@ -27217,6 +27301,10 @@ Its public part, to be kept where checkpoints are checked: %2</source>
     <message>
         <source>No &amp;time stamps</source>
         <translation>不用时间戳(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Stop saving c&amp;heckpoints</source>
+        <translation>停止保存校验点(&amp;H)</translation>
     </message>
 </context>
 <context>
@@ -30194,7 +30282,7 @@ Its public part, to be kept where checkpoints are checked: %2</source>
     </message>
     <message>
         <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, nor do you see theirs.</source>
-        <translation>病例已设盲，并单独为您打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到别人的评分。</translation>
+        <translation>案例已设盲，并单独为您打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到别人的评分。</translation>
     </message>
     <message>
         <source>%1 (%2). Thank you</source>
@@ -34358,7 +34446,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>Keep practising; the debrief shows this run afterwards.</source>
-        <translation>请继续练习；结束后可在总结中查看本次操作。</translation>
+        <translation>请继续练习；结束后可在训练复盘中查看本次操作。</translation>
     </message>
 </context>
 <context>

@@ -68,13 +68,15 @@ export class RunPage {
     const { checks, strengths, weaknesses, findings } = this.run.told;
     const { code, sentence, cause, remedy } = this.run.outcome;
     const look = (passed) => (passed ? 'good' : 'caution');
-    const finding = (one) => h('li', {}, one.from_s === null ? null : this.#goTo(one.from_s), ' ', one.text, one.advice ? h('p', { class: 'advice' }, one.advice) : null);
+    const advice = (one) => (one.advice ? h('p', { class: 'advice' }, one.advice) : null);
+    const moment = (one) => (one.from_s === null ? null : this.#goTo(one.from_s));
+    const finding = (one) => h('li', {}, moment(one), ' ', one.text, advice(one));
     const list = (title, lines) => (lines.length === 0 ? null : h('section', { class: 'card' }, h('h2', {}, title), h('ul', { class: 'told' }, lines)));
     const mark = (one) => (one.lost ? '\u2013' : one.passed ? '\u2713' : '\u2717');
     return [
       h('section', { class: 'card' }, h('p', { class: look(code === 'passed') }, sentence),
         cause ? h('p', { class: 'quiet' }, joinedSentences([cause, remedy])) : null),
-      list(t('Targets'), checks.map((one) => h('li', { class: one.lost ? 'quiet' : look(one.passed) }, `${mark(one)} ${one.text}`))),
+      list(t('Targets'), checks.map((one) => h('li', {}, h('span', { class: one.lost ? 'quiet' : look(one.passed) }, `${mark(one)} ${one.text}`), ' ', moment(one), advice(one)))),
       list(t('What went well'), strengths.map(finding)),
       list(t('What to work on'), weaknesses.map(finding)),
       list(t('Findings'), findings.map(finding))];

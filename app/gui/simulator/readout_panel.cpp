@@ -22,6 +22,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr auto kTickBudget_us = static_cast<double>(kTickPeriod_us);
+constexpr double kSlightForce_N = 0.05;  // less is shown as none, and nobody feels it
 
 /// Sets the text only if different: labels would otherwise lay themselves out in every frame.
 void setIfNew(QLabel* label, const QString& text) {
@@ -163,7 +164,7 @@ void ReadoutPanel::showTiming(const LiveState& state, double framesPerSecond) {
 
 bool ReadoutPanel::pressesTooDeep(const LiveState& state) {
   return state.phase != ExercisePhase::kTwisting && state.response.depth_m > kTooDeep_m &&
-         norm(state.response.force_N) > 0.0;
+         norm(state.response.force_N) > kSlightForce_N;
 }
 
 void ReadoutPanel::show(const LiveState& state, double framesPerSecond) {

@@ -217,24 +217,59 @@ void DebriefPage::showBookmark(double at_s) {
   plot_->addBookmark(debrief_.bookmarks.back());
 }
 
-void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding) {
-  auto* words = plainLabel(this);
-  words->setText(toQString(finding.text()));
-  column->addWidget(words);
-  if (const Text next = finding.advice(); !next.empty()) {
-    auto* advice = plainLabel(this, "quiet");
-    advice->setText(toQString(next));
-    column->addWidget(advice);
+void DebriefPage::addAdvice(QVBoxLayout* column, const Text& advice) {
+  if (!advice.empty()) {
+    auto* words = named(plainLabel(this, "quiet"), "advice");
+    words->setText(toQString(advice));
+    column->addWidget(words);
   }
+}
+
+void DebriefPage::addLook(QVBoxLayout* column, const Seconds& when) {
   auto* look = named(linkButton(this), "look");
   look->setStyleSheet(QStringLiteral("padding: 1px 0;"));  // aligned with the sentence above
-  look->setText(tr("Look at %1 to %2").arg(clockTenths(finding.when.from_s), clockTenths(finding.when.to_s)));
-  const Seconds when = finding.when;
+  look->setText(tr("Look at %1 to %2").arg(clockTenths(when.from_s), clockTenths(when.to_s)));
   connect(look, &QPushButton::clicked, this, [this, when] {
     plot_->show(when);
     seek(when.from_s);
   });
   column->addWidget(look, 0, Qt::AlignLeft);
+}
+
+void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding) {
+  auto* words = plainLabel(this);
+  words->setText(toQString(finding.text()));
+  column->addWidget(words);
+  addAdvice(column, finding.advice());
+  addLook(column, finding.when);
+}
+
+void DebriefPage::addCheck(const TargetCheck& check, const std::optional<MissedTarget>& missed) {
+  auto* mark = new QLabel(targets_);
+  const bool lost = debrief_.verdict.torn && !check.value;
+  showIcon(mark,
+           lost           ? QStringLiteral("info")
+           : check.passed ? QStringLiteral("check")
+                          : QStringLiteral("close"),
+           lost           ? theme_->quietText
+           : check.passed ? theme_->good
+                          : theme_->caution,
+           16);
+  mark->setAccessibleName(lost ? tr("not measured") : check.passed ? tr("passed") : tr("not passed"));
+  auto* words = plainLabel(targets_);
+  words->setText(toQString(check.text()));
+  auto* told = new QVBoxLayout;
+  told->addWidget(words);
+  if (missed) {
+    addAdvice(told, missed->advice);
+    if (missed->when) {
+      addLook(told, *missed->when);
+    }
+  }
+  auto* row = new QHBoxLayout;
+  row->addWidget(mark, 0, Qt::AlignTop);
+  row->addLayout(told, 1);
+  checks_->addLayout(row);
 }
 
 void DebriefPage::readQuestions() {
@@ -398,24 +433,8 @@ void DebriefPage::fill() {
     competence_->setText(tr("Your level (all runs): %1. %2")
                              .arg(toQString(competenceLevelText(all)), StationLabels::competenceErrors(all)));
   }
-  for (const TargetCheck& check : verdict.checks) {
-    auto* row = new QHBoxLayout;
-    auto* mark = new QLabel(targets_);
-    const bool lost = verdict.torn && !check.value;
-    showIcon(mark,
-             lost           ? QStringLiteral("info")
-             : check.passed ? QStringLiteral("check")
-                            : QStringLiteral("close"),
-             lost           ? theme_->quietText
-             : check.passed ? theme_->good
-                            : theme_->caution,
-             16);
-    mark->setAccessibleName(lost ? tr("not measured") : check.passed ? tr("passed") : tr("not passed"));
-    auto* words = plainLabel(targets_);
-    words->setText(toQString(check.text()));
-    row->addWidget(mark, 0, Qt::AlignTop);
-    row->addWidget(words, 1);
-    checks_->addLayout(row);
+  for (std::size_t i = 0; i < verdict.checks.size(); ++i) {
+    addCheck(verdict.checks[i], debrief_.missed[i]);
   }
   fillNotes();
   for (const DebriefFinding& finding : debrief_.strengths) {

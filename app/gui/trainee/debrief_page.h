@@ -56,7 +56,10 @@ class DebriefPage : public Page {
   /// Arranges the 3D view beside its trace, or above it if the page is too narrow.
   void arrangeLooks();
   void fillTexts(bool any);
+  void addAdvice(QVBoxLayout* column, const Text& advice);
+  void addLook(QVBoxLayout* column, const Seconds& when);
   void addFinding(QVBoxLayout* column, const DebriefFinding& finding);
+  void addCheck(const TargetCheck& check, const std::optional<MissedTarget>& missed);
   void seek(double at_s);
   void setMoment(double at_s);
   void addBookmarkAt(double at_s);

@@ -152,9 +152,10 @@ QWidget* RunPanel::createAngle(QWidget* panel) {
   angle_ = new Card(QString(), panel);
   dial_ = new AngleDial(angle_);
   angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
+  jaw_ = namedLabel(angle_, "jaw");
   goal_ = namedLabel(angle_, "goal", "quiet");
   count_ = namedLabel(angle_, "twistCount", "subheading");
-  for (QLabel* label : {goal_, count_}) {
+  for (QLabel* label : {jaw_, goal_, count_}) {
     label->setAlignment(Qt::AlignHCenter);
     angle_->content()->addWidget(label);
   }
@@ -262,6 +263,7 @@ void RunPanel::follow(const LiveState& state) {
   dial_->setAngle(state.response.angle_rad);
   coach_.follow(state, dial_->onTarget());
   dial_->setHeld(coach_.heldShare());
+  jaw_->setText(TwistCoach::jaw(state));
   torque_->setValue(std::abs(state.response.torque_Nm));
   force_->setValue(norm(state.response.force_N));
   showCount();

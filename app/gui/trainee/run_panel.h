@@ -83,6 +83,7 @@ class RunPanel : public QWidget {
   QLabel* phase_ = nullptr;
   Card* angle_ = nullptr;
   AngleDial* dial_ = nullptr;
+  QLabel* jaw_ = nullptr;
   QLabel* goal_ = nullptr;
   QLabel* count_ = nullptr;
   DetorsionPanel* detorsion_ = nullptr;

@@ -16,7 +16,9 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "sim/core/angle.h"
+#include "sim/servo/exercise.h"
 
 namespace torsio::gui {
 
@@ -230,17 +232,34 @@ QString TwistCoach::cue(const LiveState& state) const {
   }
   switch (state.phase) {
     case ExercisePhase::kTracking:
+      if (state.grip > kJawCloses) {
+        return closedInAir();
+      }
       return haptic_ ? tr("Bring the jaw to the marked band.")
                      : tr("Bring the jaw to the marked band. The wheel moves it nearer.");
     case ExercisePhase::kContact:
+      if (state.grip > kJawCloses) {
+        return closedInAir();  // it arrived closed
+      }
       return haptic_ ? tr("Touching. Close the jaw.")
                      : tr("Touching. Close the jaw: hold the left button or Space.");
     case ExercisePhase::kTwisting:
       return twistingCue(state.response.angle_rad);
     case ExercisePhase::kReleased:
-      return ReadoutPanel::releaseText(state);
+      return joinedSentences({ReadoutPanel::releaseText(state), tr("Draw back before the next twist.")});
   }
   return {};
+}
+
+QString TwistCoach::jaw(const LiveState& state) {
+  return state.phase == ExercisePhase::kTwisting ? tr("Jaw: holds the tissue")
+         : state.grip > kJawCloses               ? tr("Jaw: closed, nothing in it")
+                                                 : tr("Jaw: open");
+}
+
+QString TwistCoach::closedInAir() const {
+  return haptic_ ? tr("The jaw closed without tissue. Release the button, touch the band, then press it.")
+                 : tr("The jaw closed without tissue. Let go, touch the band, then close it.");
 }
 
 QString TwistCoach::twistingCue(double angle_rad) const {

@@ -76,10 +76,13 @@ class TwistCoach {
   /// Describes the last release, and what to improve.
   [[nodiscard]] QString verdict() const;
   [[nodiscard]] QString cue(const LiveState& state) const;
+  /// Says whether the jaw is open, closed in the air or holds the tissue.
+  [[nodiscard]] static QString jaw(const LiveState& state);
 
  private:
   [[nodiscard]] double heldShareOf(const LiveState& state, bool onTarget);
   [[nodiscard]] QString twistingCue(double angle_rad) const;
+  [[nodiscard]] QString closedInAir() const;
 
   TrainingModule module_;
   double target_rad_ = 0.0;

@@ -7,7 +7,6 @@
 #include "assessment/attempt/force_felt.h"
 #include "assessment/attempt/merit.h"
 #include "assessment/attempt/recorded_loads.h"
-#include "assessment/attempt/recorded_twists.h"
 #include "assessment/catalogue/quantity.h"
 #include "sim/record/sample_codec.h"
 
@@ -18,19 +17,6 @@ namespace {
 constexpr std::size_t kTracePoints = 20'000;
 constexpr std::size_t kFindings = 2;
 constexpr double kClearlyBetter = 0.15;  // of the logarithm: about one sixth
-constexpr double kMoment_s = 0.5;        // before and after the time of a maximum
-
-/// The samples of a recording with their times since the first one.
-struct Timeline {
-  std::span<const Sample> samples;
-  std::vector<std::int64_t> times_us;
-
-  Timeline(const TrialHeader& header, std::span<const Sample> all)
-      : samples(all), times_us(sampleTimes(header, all).us) {}
-  [[nodiscard]] double at_s(std::size_t i) const {
-    return static_cast<double>(times_us[i] - times_us.front()) * 1e-6;
-  }
-};
 
 TwistResult resultOf(const MeasuredTwist& twist) {
   return {.when = {twist.start_s, twist.letGo_s},
@@ -38,54 +24,6 @@ TwistResult resultOf(const MeasuredTwist& twist) {
           .released_rad = twist.twist.releasedAt_rad,
           .held_s = twist.held_s,
           .passed = twist.onTarget};
-}
-
-/// Returns the part of the twist that shows a metric. `since`: first sample after the previous twist; peaks
-/// of force from there on belong to this one.
-Seconds rangeShowing(Quantity quantity, double value, const Timeline& line, const MeasuredTwist& measured,
-                     std::size_t since) {
-  const RecordedTwist& twist = measured.twist;
-  const Seconds whole{measured.start_s, measured.letGo_s};
-  const auto momentOf = [&](std::size_t first, auto&& size) {
-    std::size_t at = first;
-    for (std::size_t i = first; i < twist.letGo; ++i) {
-      if (size(line.samples[i]) > size(line.samples[at])) {
-        at = i;
-      }
-    }
-    const double t = line.at_s(at);
-    // A peak before the grip is shown up to the grip, so that some of the twist is always visible.
-    return Seconds{std::max(std::min(whole.from_s, t), t - kMoment_s),
-                   std::min(whole.to_s + kMoment_s, std::max(t, whole.from_s) + kMoment_s)};
-  };
-  switch (rowOf(quantity).traits.moment) {
-    case QuantityMoment::kPeakForce:
-      return momentOf(since, tissueForce_N);
-    case QuantityMoment::kFarthestTurn: {
-      const double sign = twist.target_rad < 0.0 ? -1.0 : 1.0;
-      return momentOf(twist.first, [sign](const Sample& s) { return sign * s.response.angle_rad; });
-    }
-    case QuantityMoment::kFromGrip:
-      return {whole.from_s, std::min(whole.to_s, whole.from_s + value)};
-    case QuantityMoment::kHold:
-      return {std::max(whole.from_s, whole.to_s - measured.held_s), whole.to_s};
-    case QuantityMoment::kRelease:
-      return {whole.to_s - kMoment_s, whole.to_s + kMoment_s};
-    case QuantityMoment::kWholeTwist:
-      break;
-  }
-  return whole;
-}
-
-/// Returns the first sample after the grip before this twist.
-std::size_t sinceBefore(const MeasuredTrial& run, const MeasuredTwist& twist) {
-  std::size_t since = 0;
-  for (const MeasuredTwist& other : run.twists) {
-    if (other.twist.letGo <= twist.twist.first) {
-      since = std::max(since, other.twist.letGo);
-    }
-  }
-  return since;
 }
 
 DebriefTrace traceOf(const Timeline& line, std::size_t first, std::size_t end) {
@@ -125,9 +63,8 @@ void addExpert(const Trial& expert, const AttemptRules& rules, const Timeline& l
   const auto finding = [&](const QuantityMerit& criterion, const TwistMerit& found, bool strength) {
     const MeasuredTwist& twist = *twists[found.twist];
     // A strength applies to the whole twist; a weakness has its moment.
-    const Seconds when =
-        strength ? Seconds{twist.start_s, twist.letGo_s}
-                 : rangeShowing(criterion.quantity, found.value, line, twist, sinceBefore(own, twist));
+    const Seconds when = strength ? Seconds{twist.start_s, twist.letGo_s}
+                                  : momentInTwist(criterion.quantity, found.value, line, own, twist);
     return DebriefFinding{criterion.quantity, found.value, criterion.expert, found.merit,
                           found.twist,        when,        strength};
   };
@@ -190,7 +127,11 @@ Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, 
   out.deviceForce_N = measured.loads.deviceForce_N;
   if (measured.detorsion && rules.detorsion) {
     out.detorsion = detorsionStory(samples, line.times_us, *rules.detorsion, measured.detorsion->metrics);
-  } else if (expert != nullptr) {
+    out.missed = missedTargets(out.verdict, *out.detorsion);
+    return out;
+  }
+  out.missed = missedTargets(out.verdict, line, measured);
+  if (expert != nullptr) {
     addExpert(*expert, rules, line, measured, out);
   }
   return out;

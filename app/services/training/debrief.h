@@ -12,6 +12,7 @@
 #include "app/services/access/session_context.h"
 #include "app/services/training/attempts.h"
 #include "app/services/training/detorsion_story.h"
+#include "app/services/training/run_moments.h"
 #include "assessment/attempt/competence.h"
 #include "assessment/attempt/run_verdict.h"
 #include "assessment/domain/ids.h"
@@ -20,12 +21,6 @@
 #include "sim/scene/scene.h"
 
 namespace torsio {
-
-/// A time range of the recording.
-struct Seconds {
-  double from_s = 0.0;
-  double to_s = 0.0;
-};
 
 /// One twist of the run.
 struct TwistResult {
@@ -95,6 +90,7 @@ struct Debrief {
   Text servoTrouble{};    ///< app/services/devices/device_readiness.h; empty: none
   Text servoRemedy{};     ///< remedy
   RunVerdict verdict{};
+  std::vector<std::optional<MissedTarget>> missed{};  ///< one for each of the verdict's checks
   CompetenceVerdict competence{};  ///< of all runs at the module; none if its errors have no attempts
   double target_rad = 0.0;
   double tolerance_rad = 0.0;

@@ -184,6 +184,7 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   }
   if (out.detorsion) {
     addMishapsIfKnown(trial.header, samples, assets, scene, *out.detorsion);
+    out.missed = missedTargets(out.verdict, *out.detorsion);  // at a tear, too
   }
   if (listing.summary) {
     out.earlier = earlierMeasure(session.connection(), listing, rules, measures.values);

@@ -24,6 +24,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/language.h"
+#include "app/gui/simulator/readout_panel.h"
 #include "app/gui/trainee/debrief_page.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/station_desk.h"
@@ -95,6 +96,37 @@ TEST(TwistGuide, ReleasesImmediatelyWithoutHolding) {
   guide.follow(inPhase(ExercisePhase::kTwisting), true, 0.0);
   EXPECT_EQ(guide.step(), Step::kLetGo);
   EXPECT_TRUE(said().contains(QStringLiteral("movement 4 of 4"))) << said().toStdString();
+}
+
+TEST(TwistCoach, SaysWhetherTheJawHoldsAnything) {
+  TwistCoach coach;
+  TrainingModule module;
+  module.leastTwists = 3;
+  coach.begin(module, radians(90.0), false);
+  LiveState state = inPhase(ExercisePhase::kTracking);
+
+  EXPECT_EQ(TwistCoach::jaw(state), QStringLiteral("Jaw: open"));
+  EXPECT_TRUE(coach.cue(state).startsWith(QStringLiteral("Bring the jaw to the marked band.")));
+  state.grip = 1.0;
+  EXPECT_EQ(TwistCoach::jaw(state), QStringLiteral("Jaw: closed, nothing in it"));
+  EXPECT_TRUE(coach.cue(state).startsWith(QStringLiteral("The jaw closed without tissue.")));
+  state.phase = ExercisePhase::kContact;
+  EXPECT_TRUE(coach.cue(state).startsWith(QStringLiteral("The jaw closed without tissue.")))
+      << "a jaw that arrives closed grips nothing";
+  state.phase = ExercisePhase::kTwisting;
+  EXPECT_EQ(TwistCoach::jaw(state), QStringLiteral("Jaw: holds the tissue"));
+  state.phase = ExercisePhase::kReleased;
+  EXPECT_TRUE(coach.cue(state).endsWith(QStringLiteral("Draw back before the next twist.")));
+}
+
+TEST(TwistCoach, WarnsOfDepthOnlyWhileThereIsForce) {
+  LiveState state = inPhase(ExercisePhase::kReleased);
+  state.response.depth_m = 0.02;
+  state.response.force_N = {0.004, 0.0, 0.0};  // shown as 0.00 N
+
+  EXPECT_FALSE(ReadoutPanel::pressesTooDeep(state));
+  state.response.force_N = {0.8, 0.0, 0.0};
+  EXPECT_TRUE(ReadoutPanel::pressesTooDeep(state));
 }
 
 TEST(FirstTwist, IsGuidedInTheFirstPracticeAndOnRequestLater) {
