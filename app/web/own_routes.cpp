@@ -38,6 +38,7 @@ json verdictJson(const Call& call, const CompetenceVerdict& verdict) {
   return {{"level", said(call, competenceLevelText(verdict))},
           {"able", isAble(verdict.level)},
           {"design", said(call, competenceRuleText(verdict))},
+          {"chance", said(call, competenceChanceText(verdict.design))},
           {"made", said(call, competenceMadeText(verdict))},
           {"errors", said(call, competenceErrorText(verdict.design))}};
 }

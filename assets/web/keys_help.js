@@ -21,6 +21,6 @@ export function keysHelp() {
     ['R', t('Remark at this moment, for the trainee')],
     ['Shift+R', t('Edit your nearest remark')],
   ];
-  return h('details', { class: 'keys' }, h('summary', {}, t('Keys')),
+  return h('details', { class: 'keys unfolds' }, h('summary', {}, t('Keys')),
     h('dl', {}, keys.map(([key, meaning]) => h('div', {}, h('dt', {}, h('kbd', {}, key)), h('dd', {}, meaning)))));
 }

@@ -13,16 +13,22 @@ export function runText(run) {
   return run.result === '' ? t('running') : `${run.result}  \u00b7  ${run.outcome.word}`;
 }
 
-/// A level is never shown alone, but with the criterion of competence and its error rates. Returns a function
-/// for the verdicts of successive modules; the criterion that several share is stated with the first of them.
-export function verdictTexts() {
+function unfolding(rates) {
+  return h('details', { class: 'unfolds' }, h('summary', {}, t('How often is this wrong?')), rates);
+}
+
+/// A level is never shown alone, but with the criterion of competence and how often chance decides. Returns a
+/// function for the verdicts of successive modules; the criterion that several share is stated with the first
+/// of them. `showRates`: how the error rates are shown; they unfold on demand.
+export function verdictTexts(showRates = unfolding) {
   const said = new Map();
   return (verdict, title) => {
-    const how = joinedSentences([verdict.design, verdict.errors]);
+    const how = joinedSentences([verdict.design, verdict.chance]);
     const told = said.has(how) ? t('Competence is judged as in “%1”.', said.get(how)) : how;
+    const shared = said.has(how) ? [] : [verdict.errors];
     if (!said.has(how)) said.set(how, title);
     return h('div', { class: 'verdict' }, h('p', { class: verdict.able ? 'good' : '' }, verdict.level),
-      h('p', { class: 'quiet' }, joinedSentences([verdict.made, told])));
+      h('p', { class: 'quiet' }, told), showRates(h('p', { class: 'quiet' }, joinedSentences([...shared, verdict.made]))));
   };
 }
 

@@ -23,7 +23,7 @@ export class TranscriptPage {
   }
   async #make() {
     const made = await api.get('/api/own/transcript', { patience_ms: kPatience_ms });
-    const tell = verdictTexts();
+    const tell = verdictTexts((rates) => rates); // folded ones would not be printed
     const about = [made.centre, made.name || made.code, made.code, made.cohort, made.arm].filter((one) => one !== '');
     this.element.replaceChildren(
       h('div', { class: 'page-head' }, h('h1', {}, t('Transcript')), button(t('Print'), () => window.print())),

@@ -46,6 +46,8 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   page.column->addWidget(verdict_);
   competence_ = named(plainLabel(this, "quiet"), "competence");
   page.column->addWidget(competence_);
+  rates_ = named(new FoldedText(this), "rates");
+  page.column->addWidget(rates_);
 
   targets_ = new Card(QString(), this);
   good_ = new Card(QString(), this);
@@ -411,7 +413,9 @@ void DebriefPage::fill() {
   bookmark_->setVisible(!real);
   inThree_->setVisible(any && haveReplay_);
   untwisting_->setVisible(any && undone);
-  competence_->setVisible(any && debrief_.competence.planned.attempts > 0);
+  for (QWidget* ofLevel : std::initializer_list<QWidget*>{competence_, rates_}) {
+    ofLevel->setVisible(any && debrief_.competence.planned.attempts > 0);
+  }
   for (QWidget* ofTwists : std::initializer_list<QWidget*>{good_, better_, trace_}) {
     ofTwists->setVisible(any && !undone && !real);
   }
@@ -431,7 +435,8 @@ void DebriefPage::fill() {
   setLook(verdict_, "caution", !verdict.passed());
   if (const CompetenceVerdict& all = debrief_.competence; all.planned.attempts > 0) {
     competence_->setText(tr("Your level (all runs): %1. %2")
-                             .arg(toQString(competenceLevelText(all)), StationLabels::competenceErrors(all)));
+                             .arg(toQString(competenceLevelText(all)), StationLabels::competenceBeside(all)));
+    rates_->setTexts(StationLabels::howOftenWrong(), StationLabels::competenceErrors(all));
   }
   for (std::size_t i = 0; i < verdict.checks.size(); ++i) {
     addCheck(verdict.checks[i], debrief_.missed[i]);

@@ -20,6 +20,7 @@ class Card;
 class DebriefPlot;
 class DebriefReplay;
 class DetorsionCard;
+class FoldedText;
 class PageHeading;
 
 /// Feedback right after a run: all targets, two strengths, two weaknesses with the seconds to look at, the
@@ -71,6 +72,7 @@ class DebriefPage : public Page {
   PageHeading* heading_;
   QLabel* verdict_;
   QLabel* competence_;
+  FoldedText* rates_;
   Card* targets_;
   QVBoxLayout* checks_;
   Card* good_;

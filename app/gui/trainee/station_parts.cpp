@@ -66,6 +66,25 @@ void makeHuge(QLabel* label, double points) {
   label->setStyleSheet(QStringLiteral("font-size: %1pt; font-weight: 600;").arg(points));
 }
 
+FoldedText::FoldedText(QWidget* parent)
+    : QWidget(parent), line_(new FoldLine(this)), text_(sentence(this, true)) {
+  auto* column = bareLayout<QVBoxLayout>(this, 0);
+  column->addWidget(line_);
+  column->addWidget(text_);
+  text_->hide();
+  setLook(line_->label(), "quiet", true);
+  connect(line_, &FoldLine::toggled, text_, &QLabel::setVisible);
+}
+
+void FoldedText::setTexts(const QString& line, const QString& text) {
+  line_->setText(line);
+  text_->setText(text);
+}
+
+QString FoldedText::text() const {
+  return text_->text();
+}
+
 void showIcon(QLabel* label, const QString& name, const QColor& colour, int size) {
   label->setPixmap(icon(name, colour).pixmap(size, size));
   label->setFixedSize(size, size);

@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QString>
+#include <QWidget>
 
 #include "app/gui/widgets/theme.h"
 
@@ -10,10 +11,10 @@ class QLabel;
 class QLayout;
 class QScrollArea;
 class QVBoxLayout;
-class QWidget;
 
 namespace torsio::gui {
 
+class FoldLine;
 class PageHeading;
 
 /// Margin of a page's content.
@@ -33,6 +34,22 @@ void emptyLayout(QLayout* layout);
 [[nodiscard]] QLabel* plainLabel(QWidget* parent, const char* look = nullptr);
 /// Enlarges a label for a countdown.
 void makeHuge(QLabel* label, double points);
+
+/// A line such as "How often is this wrong?" that unfolds its answer below.
+class FoldedText : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FoldedText(QWidget* parent);
+
+  /// Keeps what is unfolded.
+  void setTexts(const QString& line, const QString& text);
+  [[nodiscard]] QString text() const;
+
+ private:
+  FoldLine* line_;
+  QLabel* text_;
+};
 
 /// Shows a theme's icon in a label, at text height.
 void showIcon(QLabel* label, const QString& icon, const QColor& colour, int size = 20);

@@ -15,6 +15,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "app/services/recording/competence.h"
 #include "assessment/catalogue/quantity.h"
 
@@ -137,6 +138,14 @@ QString StationLabels::competenceRule(const CompetenceVerdict& verdict) {
 
 QString StationLabels::competenceErrors(const CompetenceVerdict& verdict) {
   return toQString(competenceErrorText(verdict));
+}
+
+QString StationLabels::competenceBeside(const CompetenceVerdict& verdict) {
+  return joinedSentences({competenceRule(verdict), toQString(competenceChanceText(verdict.design))});
+}
+
+QString StationLabels::howOftenWrong() {
+  return tr("How often is this wrong?");
 }
 
 QString StationLabels::readiness(const ReadinessFinding& finding) {

@@ -43,6 +43,10 @@ class StationLabels {
   /// Explains the rule of competence, and its error rates.
   [[nodiscard]] static QString competenceRule(const CompetenceVerdict& verdict);
   [[nodiscard]] static QString competenceErrors(const CompetenceVerdict& verdict);
+  /// What is always shown beside a level: the rule, and in one sentence how often chance decides.
+  [[nodiscard]] static QString competenceBeside(const CompetenceVerdict& verdict);
+  /// The question that competenceErrors() answers.
+  [[nodiscard]] static QString howOftenWrong();
   [[nodiscard]] static QString readiness(const ReadinessFinding& finding);
   [[nodiscard]] static QString light(Light light);
 };

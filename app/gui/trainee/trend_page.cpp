@@ -69,6 +69,8 @@ TrendPage::TrendPage(ShellContext& context, QWidget* parent) : Page(context, par
   page.column->addLayout(cards);
   competence_ = named(plainLabel(this, "quiet"), "competence");
   page.column->addWidget(competence_);
+  rates_ = named(new FoldedText(this), "rates");
+  page.column->addWidget(rates_);
 
   chart_ = new Card(QString(), this);
   plot_ = new TrendPlot(chart_);
@@ -176,10 +178,12 @@ void TrendPage::fill() {
           verdict.level == SkillLevel::kWatch || verdict.level == SkillLevel::kRelapsed ||
               verdict.level == SkillLevel::kExpired);
   levelMeaning_->setText(StationLabels::levelMeaning(verdict));
-  competence_->setVisible(verdict.planned.attempts > 0);
+  for (QWidget* ofLevel : std::initializer_list<QWidget*>{competence_, rates_}) {
+    ofLevel->setVisible(verdict.planned.attempts > 0);
+  }
   if (verdict.planned.attempts > 0) {
-    competence_->setText(StationLabels::competenceRule(verdict) + QLatin1Char('\n') +
-                         StationLabels::competenceErrors(verdict));
+    competence_->setText(StationLabels::competenceBeside(verdict));
+    rates_->setTexts(StationLabels::howOftenWrong(), StationLabels::competenceErrors(verdict));
   }
   distance_->setTitle(tr("Distance to the threshold"));
   const bool answer = isAnswer(trend_.quantity);

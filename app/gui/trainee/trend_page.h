@@ -17,6 +17,7 @@ namespace torsio::gui {
 
 class Card;
 class DataTable;
+class FoldedText;
 class PageHeading;
 class TrendPlot;
 
@@ -52,6 +53,7 @@ class TrendPage : public Page {
   Card* level_;
   QLabel* levelName_;
   QLabel* competence_ = nullptr;
+  FoldedText* rates_ = nullptr;
   QLabel* levelMeaning_;
   Card* distance_;
   QLabel* distanceFigure_;

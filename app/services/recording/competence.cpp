@@ -236,6 +236,17 @@ Text fiveShares(const std::array<double, kStatedFailureRates.size()>& shares, in
   return Text::tr("%1, %2, %3, %4 and %5\u00A0%", shown[0], shown[1], shown[2], shown[3], shown[4]);
 }
 
+/// Formats a share as a frequency, "about 1 in 41". `first`: in a sentence.
+Text oneInText(double share, bool first) {
+  constexpr double kLeast = 0.0005;
+  constexpr double kFew = 10.0;  // from so many on, in whole people
+  if (share < kLeast) {
+    return first ? Text(Text::tr("Fewer than 1 in 2000")) : Text(Text::tr("fewer than 1 in 2000"));
+  }
+  const std::string number = formatFixed(1.0 / share, 1.0 / share < kFew ? 1 : 0);
+  return first ? Text::tr("About 1 in %1", number) : Text::tr("about 1 in %1", number);
+}
+
 /// Describes what the probabilities of a design assume.
 Text assumptionText(const CompetenceDesign& design) {
   const Text origin = design.dependenceRuns > 0
@@ -267,6 +278,15 @@ Text competenceRuleText(const CompetenceRule& rule) {
   return design.validDays == 0
              ? whole
              : Text::tr("%1 Competence expires after %2 {day|days} without a run.", whole, design.validDays);
+}
+
+Text competenceChanceText(const CompetenceDesign& design) {
+  const CompetenceErrors errors = competenceErrors(design, design.attempts);
+  return Text::tr(
+      "%1 trainees who fail %2 of their runs are declared competent by chance, and %3 who fail only %4 are "
+      "not.",
+      oneInText(errors.falsePass, true), percentText(design.inadequate), oneInText(errors.falseFail, false),
+      percentText(design.adequate));
 }
 
 Text competenceErrorText(const CompetenceDesign& design) {

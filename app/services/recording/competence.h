@@ -60,6 +60,8 @@ class Connection;
 
 /// Describes the whole rule: design, what a run needs to pass, failure rates, runs.
 [[nodiscard]] Text competenceRuleText(const CompetenceRule& rule);
+/// Sums up how often chance decides, "About 1 in 41 ..., about 1 in 12 ...": what stands beside every level.
+[[nodiscard]] Text competenceChanceText(const CompetenceDesign& design);
 /// Describes how probable it is to be declared competent within the runs planned, by the true failure rate,
 /// and what this assumes.
 [[nodiscard]] Text competenceErrorText(const CompetenceDesign& design);

@@ -26,6 +26,7 @@
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/trainee/transcript_page.h"
 #include "app/gui/trainee/trend_page.h"
@@ -49,6 +50,30 @@ using torsio::testing::deviceWith;
 using torsio::testing::kMinute_us;
 using torsio::testing::kSecond_us;
 using torsio::testing::TrainingCentre;
+
+/// Beside a level stand its rule and how often chance decides; the error rates are hidden until somebody
+/// asks.
+void expectExplainedLevel(const QLabel& beside, FoldedText& folded) {
+  for (const char* part :
+       {"Competent once the LC-CUSUM of the runs",
+        "About 1 in 41 trainees who fail 30.0\u00A0% of their runs are declared competent by "
+        "chance, and about 1 in 12 who fail only 5.0\u00A0% are not."}) {
+    EXPECT_TRUE(beside.text().contains(QString::fromUtf8(part))) << part;
+  }
+  EXPECT_EQ(folded.findChild<FoldLine*>()->label()->text(), QStringLiteral("How often is this wrong?"));
+  EXPECT_TRUE(folded.text().contains(QStringLiteral("are declared competent within the")));
+  const auto shown = [&folded] {
+    for (const QLabel* label : folded.findChildren<QLabel*>()) {
+      if (label->text() == folded.text()) {
+        return label->isVisibleTo(&folded);
+      }
+    }
+    return false;
+  };
+  EXPECT_FALSE(shown());
+  folded.findChild<QPushButton*>(QStringLiteral("unfold"))->click();
+  EXPECT_TRUE(shown());
+}
 
 /// A station at its first page.
 class AtTheStation : public ::testing::Test {
@@ -172,18 +197,16 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_NEAR(debrief.debrief().duration_s, 40.0, 0.1);
   EXPECT_EQ(debrief.debrief().moduleTitle, "Quarter turn, second");
   EXPECT_FALSE(station.find<QLabel>("verdict")->text().isEmpty());
-  EXPECT_TRUE(station
-                  .find<QLabel>("competence")  // no verdict without its error rates
+  EXPECT_TRUE(station.find<QLabel>("competence")
                   ->text()
-                  .contains(QStringLiteral("are declared competent within the")));
+                  .startsWith(QStringLiteral("Your level (all runs): not shown yet; 37 more runs needed.")));
+  expectExplainedLevel(*station.find<QLabel>("competence"), *station.find<FoldedText>("rates"));
   station.press("trend");
 
   ASSERT_EQ(station.pageId, PageId::kTrend);
   EXPECT_EQ(static_cast<TrendPage&>(*station.page).trend().points.size(), 1U);
   EXPECT_TRUE(station.find<QLabel>("level")->text().startsWith(QStringLiteral("Not shown yet; ")));
-  EXPECT_TRUE(station.find<QLabel>("competence")
-                  ->text()
-                  .contains(QStringLiteral("are declared competent within the")));
+  expectExplainedLevel(*station.find<QLabel>("competence"), *station.find<FoldedText>("rates"));
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
