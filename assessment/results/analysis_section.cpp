@@ -42,15 +42,18 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study, cons
     table.rows.push_back(
         {name,
          cell(id + "_f", fixed(2)),
-         {Text::verbatim("%1, %2", df.words(), cell(id + "_df_error", fixed(0)).words()), df.key},
+         {Text::verbatim("%1,\u00A0%2", df.words(), cell(id + "_df_error", fixed(0)).words()), df.key},
          cell(id + "_p", kAsP),
          cell(id + "_p_greenhouse_geisser", kAsP, Text::tr("does not apply")),
          cell(id + "_generalised_eta_squared", fixed(kDecimals))});
   }
   const ReportCell epsilon = cell("greenhouse_geisser_epsilon", fixed(kDecimals));
-  table.notes = {{Text::tr("The interaction is the question: whether the groups take different courses. "
-                           "Greenhouse-Geisser epsilon %1.",
-                           epsilon.words()),
+  const Text correction = Text::tr("Greenhouse-Geisser epsilon %1.", epsilon.words());
+  table.notes = {{cell.find("mixed_interaction_f") == nullptr
+                      ? correction
+                      : Text(Text::tr("The interaction is the question: whether the groups take different "
+                                      "courses. %1",
+                                      correction)),
                   {epsilon}}};
   if (!study.leftOutOfCourse.empty()) {
     const std::vector<Text> codes(study.leftOutOfCourse.begin(), study.leftOutOfCourse.end());

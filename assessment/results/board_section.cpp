@@ -112,16 +112,18 @@ ReportParagraph peopleOf(const Ledger& ledger) {
   const ResultsAt marks(ledger, {.section = ResultSection::kTraining});
   const ReportCell trainees = people("trainees");
   const ReportCell groups = people("groups");
+  const ReportCell compared = resultsAtEnd(ledger)("trainees_compared", {}, Text::verbatim("0"));
   const ReportCell withdrew = people("withdrew");
   const ReportCell raters = marks("raters");
   const ReportCell given = marks("marks");
   const ReportCell reported = people("deviations");
-  return {Text::tr("People: %1 {trainee|trainees} in %2 {group|groups}, %3 of them withdrew; %4 "
-                   "{physician|physicians} gave %5 {mark|marks}; %6 {deviation from the protocol was|"
-                   "deviations from the protocol were} reported.",
-                   trainees.words(), groups.words(), withdrew.words(), raters.words(), given.words(),
-                   reported.words()),
-          {trainees, groups, withdrew, raters, given, reported}};
+  return {
+      Text::tr("People: %1 {trainee|trainees} in %2 {group|groups}, %3 of them compared at the end, %4 of "
+               "them withdrew; %5 {physician|physicians} gave %6 {mark|marks}; %7 {deviation from the "
+               "protocol was|deviations from the protocol were} reported.",
+               trainees.words(), groups.words(), compared.words(), withdrew.words(), raters.words(),
+               given.words(), reported.words()),
+      {trainees, groups, compared, withdrew, raters, given, reported}};
 }
 
 /// Names the pairs that do not differ: readers must not think that there were none.
@@ -282,7 +284,7 @@ ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, c
     const ReportCell interval = at("per_protocol_difference_holm_95", intervalWith(kPointDecimals));
     const ReportCell value = at("per_protocol_difference", fixed(kPointDecimals));
     pairs.push_back(
-        Text::verbatim("%1: %2 %3", pairName(in, pair.first, pair.second), value.words(), interval.words()));
+        Text::tr("%1: %2 %3", pairName(in, pair.first, pair.second), value.words(), interval.words()));
     out.keys.insert(out.keys.end(), {value.key, interval.key});
   }
   static_cast<Text&>(out) = Text::tr(
@@ -306,7 +308,7 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
   FigureSeries series{.name = Text::tr("difference [95 %]")};
   for (const AnsweredPair& pair : pairs) {  // points, like the axis: a chart truncates long labels
     figure.categories.push_back(
-        Text::verbatim("%1: %2 %3", pair.name, pair.difference.words(), pair.interval.words()));
+        Text::tr("%1: %2 %3", pair.name, pair.difference.words(), pair.interval.words()));
     series.y.emplace_back(pair.value);
     series.low.push_back(pair.between.lower);
     series.high.push_back(pair.between.upper);
@@ -327,7 +329,10 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
 ReportCell ableOf(const CohortInputs& in, const Ledger& ledger, std::size_t group,
                   const std::vector<Text>& able) {
   const ResultsAt at(ledger, {.section = ResultSection::kCompetence, .group = ledger.group(group)});
-  ReportCell cell = at("able_at_every_exercise", {}, Text::tr("no recorded run"));
+  const ResultsAt people(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(group)});
+  ReportCell cell =
+      at("able_at_every_exercise", {},
+         people.number("runs").value_or(0.0) > 0.0 ? Text::tr("no run judged") : Text::tr("no recorded run"));
   if (cell.key == nullptr) {
     return cell;
   }

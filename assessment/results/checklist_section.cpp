@@ -148,7 +148,7 @@ constexpr std::array kConsort{
     shown("24a", Text::tr("Interventions as delivered"), "table-dose"),
     shown("24b", Text::tr("Other training during the study"), "deviations"),
     shown("25", Text::tr("Baseline data by group"), "table-participants"),
-    shown("26", Text::tr("Numbers analysed, effects and precision"), "table-ancova"),
+    shown("26", Text::tr("Numbers analysed, effects and precision"), "figure-answer"),
     stated("27", Text::tr("Harms in each group"), StudyItem::kHarms),
     shown("28", Text::tr("Other analyses"), "table-mixed-anova"),
     open("29", Text::tr("Interpretation")),

@@ -160,19 +160,38 @@ void addGainResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
   }
 }
 
-Text regionText(const SignificantRegion& region) {
+/// Describes the scores before in which two groups differ, of those that the scale has. `scale`: in points.
+Text regionText(const SignificantRegion& region, const Interval& scale) {
+  const auto below = [](double bound) {
+    return Text(Text::tr("for a score before below %1", formatFixed(bound, 2)));
+  };
+  const auto above = [](double bound) {
+    return Text(Text::tr("for a score before above %1", formatFixed(bound, 2)));
+  };
+  const Text everywhere = Text::tr("for every score before");
+  const Text nowhere = Text::tr("for no score before");
   if (region.inside) {
-    return Text::tr("for a score before between %1 and %2", formatFixed(region.inside->lower, 2),
-                    formatFixed(region.inside->upper, 2));
+    const auto [lower, upper] = *region.inside;
+    return lower >= scale.upper || upper <= scale.lower   ? nowhere
+           : lower <= scale.lower && upper >= scale.upper ? everywhere
+           : lower <= scale.lower                         ? below(upper)
+           : upper >= scale.upper                         ? above(lower)
+                                  : Text(Text::tr("for a score before between %1 and %2",
+                                                  formatFixed(lower, 2), formatFixed(upper, 2)));
   }
   if (region.outside) {
-    return Text::tr("for a score before below %1 or above %2", formatFixed(region.outside->lower, 2),
-                    formatFixed(region.outside->upper, 2));
+    const auto [lower, upper] = *region.outside;
+    return lower >= scale.upper || upper <= scale.lower   ? everywhere
+           : lower <= scale.lower && upper >= scale.upper ? nowhere
+           : lower <= scale.lower                         ? above(upper)
+           : upper >= scale.upper                         ? below(lower)
+                                  : Text(Text::tr("for a score before below %1 or above %2",
+                                                  formatFixed(lower, 2), formatFixed(upper, 2)));
   }
-  return region.everywhere ? Text::tr("for every score before") : Text::tr("for no score before");
+  return region.everywhere ? everywhere : nowhere;
 }
 
-void addSlopes(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
+void addSlopes(const CohortInputs& in, const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
   if (!study.slopes) {
     return;
   }
@@ -180,6 +199,8 @@ void addSlopes(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
     rows.place.group = rows.group(study.slopes->groups[g]);
     rows.add("separate_slope", study.slopes->slopes[g], n);
   }
+  const Interval scale{pointsFromSteps(in.trainingScale.lo, in.trainingScale),
+                       pointsFromSteps(in.trainingScale.hi, in.trainingScale)};
   for (const SlopesPair& pair : study.slopes->pairs) {
     placeAtPair(rows, pair.first, pair.second);
     for (std::size_t b = 0; b < pair.at.size(); ++b) {
@@ -193,7 +214,7 @@ void addSlopes(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
     }
     rows.place.index.clear();
     rows.place.record.clear();
-    rows.put("separate_slopes_differ", regionText(pair.region), n);
+    rows.put("separate_slopes_differ", regionText(pair.region, scale), n);
   }
   placeAtAll(rows);
 }
@@ -382,7 +403,7 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   placeAtAll(rows);
   rows.origin = Origin::kUnplanned;
   addSpread(study, n, rows);
-  addSlopes(study, n, rows);
+  addSlopes(in, study, n, rows);
   addResiduals(in, study, rows);
 }
 

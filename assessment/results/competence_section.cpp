@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "assessment/results/analysed_cohort.h"
 #include "assessment/results/number_format.h"
@@ -77,29 +78,55 @@ ReportFigure sumsFigure(const CohortInputs& in, const Ledger& ledger) {
   return figure;
 }
 
+Text whichDesign(const CohortCompetence& one) {
+  return one.designVersion > 0 ? Text::tr("registered, version %1", one.designVersion)
+                               : Text::tr("shipped with the exercise");
+}
+
+/// What all verdicts have in common stands below the table in place of a column.
 ReportTable verdictsTable(const CohortInputs& in, const Ledger& ledger) {
   auto table =
       competenceItem<ReportTable>(in, ledger, "table-competence", Text::tr("Competence of every trainee"));
   table.annex = true;
   table.individual = true;
-  ResultTable rows(ledger, table,
-                   {{Text::tr("Group")},
-                    {Text::tr("Trainee")},
-                    {Text::tr("Exercise")},
-                    {Text::tr("Runs"), "level", kValues},
-                    {Text::tr("Failed"), "failed"},
-                    {Text::tr("Excused"), "excused_runs"},
-                    {Text::tr("Level"), "level"},
-                    {Text::tr("False pass so far"), "false_pass", percent(1)},
-                    {Text::tr("False fail so far"), "false_fail", percent(1)},
-                    {Text::tr("Runs needed at least"), "fewest_attempts"},
-                    {Text::tr("Design")}});
+  const auto varies = [&in](const auto& property) {
+    return std::any_of(in.competence.begin(), in.competence.end(), [&](const CohortCompetence& one) {
+      return property(one) != property(in.competence.front());
+    });
+  };
+  const bool exercises = varies([](const CohortCompetence& one) { return one.exercise; });
+  const bool designs = varies([](const CohortCompetence& one) { return whichDesign(one); });
+  std::vector<ResultColumn> columns{{Text::tr("Group")}, {Text::tr("Trainee")}};
+  if (exercises) {
+    columns.push_back({Text::tr("Exercise")});
+  }
+  columns.insert(columns.end(), {{Text::tr("Runs"), "level", kValues},
+                                 {Text::tr("Failed"), "failed"},
+                                 {Text::tr("Excused"), "excused_runs"},
+                                 {Text::tr("Level"), "level"},
+                                 {Text::tr("False pass so far"), "false_pass", percent(1)},
+                                 {Text::tr("False fail so far"), "false_fail", percent(1)},
+                                 {Text::tr("Runs needed at least"), "fewest_attempts"}});
+  if (designs) {
+    columns.push_back({Text::tr("Design")});
+  }
+  ResultTable rows(ledger, table, std::move(columns));
   for (std::size_t i = 0; i < in.competence.size(); ++i) {
     const CohortCompetence& one = in.competence[i];
-    rows.row({in.groups[one.group].name, one.trainee, one.exercise,
-              one.designVersion > 0 ? Text::tr("registered, version %1", one.designVersion)
-                                    : Text::tr("shipped with the exercise")},
-             competenceKey(ledger, in, i));
+    std::vector<ReportCell> labels{in.groups[one.group].name, one.trainee};
+    if (exercises) {
+      labels.emplace_back(one.exercise);
+    }
+    if (designs) {
+      labels.emplace_back(whichDesign(one));
+    }
+    rows.row(labels, competenceKey(ledger, in, i));
+  }
+  if (!exercises) {
+    table.notes.emplace_back(Text(Text::tr("Exercise: %1.", in.competence.front().exercise)));
+  }
+  if (!designs) {
+    table.notes.emplace_back(Text(Text::tr("Design: %1.", whichDesign(in.competence.front()))));
   }
   return table;
 }

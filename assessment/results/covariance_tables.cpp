@@ -172,8 +172,7 @@ std::optional<ReportTable> slopesTable(const CohortInputs& in, const StudyAnalys
                            "equal slopes asked for it.",
                            slopes.words()),
                   {},
-                  slopes.keys},
-                 Text::tr("A bound beyond the scale of the marks stands for the end of the scale.")};
+                  slopes.keys}};
   table.provenance.n = resultsAtEnd(ledger).count("trainees_compared");
   table.provenance.missing = resultsAtEnd(ledger).count("marks_missing");
   return table;

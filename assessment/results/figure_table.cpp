@@ -161,7 +161,12 @@ class Twin {
   }
 
   void scatter() {
+    const bool intervals = std::any_of(figure_.series.begin(), figure_.series.end(),
+                                       [](const FigureSeries& one) { return !one.low.empty(); });
     table_.columns = {Text::tr("Series"), heading(), figure_.yLabel};
+    if (intervals) {
+      table_.columns.insert(table_.columns.end(), {Text::tr("low"), Text::tr("high")});
+    }
     for (const FigureSeries& series : figure_.series) {
       if (series.faint && figure_.kind == FigureKind::kScatter) {
         continue;  // a reference line has no values of its own
@@ -173,6 +178,11 @@ class Twin {
         const double x = i < series.x.size() ? series.x[i] : static_cast<double>(i + 1);
         table_.rows.push_back({series.name, cell(x == std::floor(x) ? formatExact(x) : number(x), series, i),
                                cell(number(*series.y[i]), series, i)});
+        if (intervals) {
+          const bool known = i < series.low.size() && i < series.high.size();
+          table_.rows.back().push_back(cell(known ? number(series.low[i]) : std::string(), series, i));
+          table_.rows.back().push_back(cell(known ? number(series.high[i]) : std::string(), series, i));
+        }
       }
     }
   }

@@ -111,7 +111,7 @@ ReportTable doseTable(const CohortInputs& in, const Ledger& ledger) {
                     {Text::tr("Trainees"), "rest_min", kValues},
                     {Text::tr("Virtual, planned (min)")},
                     {Text::tr("Virtual, mean noted (min)"), "mean_noted_virtual_min", fixed(1)},
-                    {Text::tr("Virtual, mean recorded (min)"), "mean_recorded_virtual_min", fixed(2)},
+                    {Text::tr("Virtual, mean recorded (min)"), "mean_recorded_virtual_min", fixed(1)},
                     {Text::tr("Real, planned (min)")},
                     {Text::tr("Real, mean noted (min)"), "mean_noted_real_min", fixed(1)},
                     {Text::tr("Trainees who rested"), "trainees_who_rested"},

@@ -159,10 +159,8 @@ std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& in, const StudyA
   const ReportCell compared = at("trainees_compared");
   const Text missing =
       study.endMissing > 0
-          ? Text::tr(
-                "%1 of %2 {mark of the first and the last occasion is|marks of the first and the last "
-                "occasion are} missing",
-                lost.words(), all.words())
+          ? Text::tr("Of %2 {mark|marks} of the first and the last occasion %1 {is|are} missing",
+                     lost.words(), all.words())
           : Text::tr("Not every trainee was marked by the same raters at the end");
   out.push_back(
       {study.mixed

@@ -135,7 +135,7 @@ ReportTable trialsTable(const CohortInputs& in, const Ledger& ledger) {
                           trial.trainee,
                           trial.phase,
                           trial.model,
-                          at("minutes", fixed(2)),
+                          at("minutes", fixed(1)),
                           at("outcome"),
                           {trial.contentHash.substr(0, kPrintedDigits), at("content_hash").key}});
   }

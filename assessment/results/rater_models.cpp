@@ -106,7 +106,7 @@ void putOnOneScale(const OccasionMarks& last, StudyAnalysis& out) {
                : std::nullopt);
     }
   }
-  out.rasch = manyFacetRasch(ratings, static_cast<int>(used.size()) - 1);
+  out.rasch = manyFacetRasch(ratings, static_cast<int>(used.size()) - 1, out.raters);
   if (out.rasch) {
     out.onOneScale = correctedSeverities(ratings, *out.rasch);
   }

@@ -118,9 +118,9 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Ledg
   figure.provenance.n = at.count("marks_with_others");
   figure.provenance.missing = at.count("marks_missing");
   figure.notes = {
-      {Text::tr("Limits for repeated measures: plus and minus 1.96 standard deviations of one rater's mark "
-                "about the mean "
-                "of %1 others, %2 points, from the variances of raters and rest over all trainees.",
+      {Text::tr("Limits for repeated measures: plus and minus %2 points, 1.96 standard deviations of one "
+                "rater's mark about the mean of %1 others, from the variances of raters and rest over all "
+                "trainees.",
                 others.words(), reach.words()),
        {others, reach}}};
   return figure;

@@ -110,12 +110,12 @@ ReportParagraph detectableSentence(const StudyAnalysis& study, const Ledger& led
     least = !least || *value < least->first ? std::pair(*value, cell) : least;
     most = !most || *value > most->first ? std::pair(*value, cell) : most;
   }
+  if (!least) {
+    return Text(Text::tr("What this does not show: marks on a training arm say nothing about patients."));
+  }
   const Text rest = Text::tr(
       "A difference that was not shown is not evidence of equality, and marks on a training arm say nothing "
       "about patients.");
-  if (!least) {
-    return Text(Text::tr("What this does not show: %1", rest));
-  }
   const Text size = least->second == most->second
                         ? least->second.words()
                         : Text::tr("%1 to %2", least->second.words(), most->second.words());

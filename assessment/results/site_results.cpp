@@ -424,7 +424,7 @@ ReportParagraph sitesSentence(const CohortInputs& in, const StudyAnalysis& study
     const ReportCell value = at("centre_difference", fixed(1));
     const ReportCell interval = at("centre_difference_holm_95", intervalWith(1));
     pairs.push_back(
-        Text::verbatim("%1: %2 %3", pairName(in, pair.first, pair.second), value.words(), interval.words()));
+        Text::tr("%1: %2 %3", pairName(in, pair.first, pair.second), value.words(), interval.words()));
     out.keys.insert(out.keys.end(), {value.key, interval.key});
   }
   std::vector<Text> vary;

@@ -209,7 +209,7 @@ ReportTable summaryTable(const CohortInputs& in, const Ledger& ledger) {
       if (missing[g][t] > 0) {
         const ReportCell count = ResultsAt(
             ledger, {.group = ledger.group(g), .occasion = ledger.occasion(t)})("marks_missing_at_occasion");
-        where.push_back(Text::verbatim("%1, %2: %3", in.groups[g].name, in.occasions[t], count.words()));
+        where.push_back(Text::tr("%1, %2: %3", in.groups[g].name, in.occasions[t], count.words()));
         keys.push_back(count.key);
       }
     }
@@ -271,7 +271,7 @@ ReportParagraph shorteningSentence(const Ledger& ledger) {
 ReportSection trainingSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"training", Text::tr("Training study")};
   section.paragraphs.push_back(marksSentence(in, ledger));
-  if (in.trainingTimeDivisor > 1) {
+  if (in.demonstration && in.trainingTimeDivisor > 1) {
     section.paragraphs.push_back(shorteningSentence(ledger));
   }
   const ReportCell rested = ResultsAt(ledger, wholeKey(kTrainingTimes))("trainees_who_rested");

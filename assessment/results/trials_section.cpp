@@ -28,7 +28,7 @@ ReportTable trialsByPhase(const CohortInputs& in, const Ledger& ledger) {
                    {{Text::tr("Group")},
                     {Text::tr("Phase")},
                     {Text::tr("Runs"), "runs"},
-                    {Text::tr("Minutes recorded"), "minutes", fixed(2)},
+                    {Text::tr("Minutes recorded"), "minutes", fixed(1)},
                     {rowOf(Quantity::kCompletedTwists).name, "twists"},
                     {rowOf(Quantity::kTargetsReached).name, "twists_on_target"},
                     {Text::tr("Mean absolute angle error (deg)"), "mean_absolute_error_deg", fixed(2),

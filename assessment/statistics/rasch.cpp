@@ -13,6 +13,7 @@
 #include "assessment/statistics/distributions.h"
 #include "assessment/statistics/rating_plan.h"
 #include "assessment/statistics/rating_scale.h"
+#include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/text.h"
 
@@ -326,8 +327,25 @@ void requireCategories(const CategoryRatings& ratings, int highest) {
   }
 }
 
+/// Names parameters: "rater 2, rater 3 and the thresholds". `codes`: as for manyFacetRasch.
+Text namesOf(const UnboundedParameters& parameters, std::span<const std::string> codes) {
+  std::vector<Text> names;
+  for (const std::size_t rater : parameters.raters) {
+    names.push_back(codes.empty() ? Text(Text::tr("rater %1", rater + 1)) : Text(codes[rater]));
+  }
+  if (parameters.thresholds) {
+    names.emplace_back(Text::tr("the thresholds"));
+  }
+  if (names.size() < 2) {
+    return listed(names);
+  }
+  const Text last = names.back();
+  names.pop_back();
+  return Text::tr("%1 and %2", listed(names), last);
+}
+
 /// Returns why the model cannot be estimated from these ratings; empty if it can.
-std::optional<Text> obstacle(const RatingPlan& plan) {
+std::optional<Text> obstacle(const RatingPlan& plan, std::span<const std::string> codes) {
   if (!plan.connected()) {
     return Text::tr("the rating plan falls into parts that share no person and no rater");
   }
@@ -349,20 +367,23 @@ std::optional<Text> obstacle(const RatingPlan& plan) {
       return Text::tr("category %1 is never used: collapse categories first", k);
     }
   }
-  if (const std::optional<std::string> loose = plan.unbounded()) {
-    return Text::tr("the likelihood has no finite maximum: nothing in the ratings bounds %1", *loose);
+  if (const std::optional<UnboundedParameters> loose = plan.unbounded()) {
+    return Text::tr("the likelihood has no finite maximum: nothing in the ratings bounds %1",
+                    namesOf(*loose, codes));
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest) {
+Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest,
+                                    std::span<const std::string> codes) {
   using Undefined = Outcome<RaschResult>;
   TORSIO_EXPECTS(highest >= 1);
   requireCategories(ratings, highest);
+  TORSIO_EXPECTS(codes.empty() || ratings.empty() || codes.size() == ratings.front().size());
   const RatingPlan plan(ratings, highest);
-  if (const std::optional<Text> reason = obstacle(plan)) {
+  if (const std::optional<Text> reason = obstacle(plan, codes)) {
     return Undefined::undefined(*reason);
   }
   const JointModel model(plan);

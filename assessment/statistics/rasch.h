@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "assessment/statistics/rating_plan.h"
@@ -37,13 +39,14 @@ struct RaschResult {
 };
 
 /// Many-facet rating scale model, ln(P_k / P_(k-1)) = ability - severity - tau_k, by joint maximum likelihood
-/// (Newton). `ratings`: persons x raters, categories 0 .. `highest`, missing values allowed. Persons and
-/// raters
-/// with only extreme ratings are removed iteratively and reported. Undefined if the rating plan falls into
-/// disconnected parts, if a category is never used (collapse categories first), or if the likelihood has no
-/// finite maximum, which is decided exactly beforehand. Joint estimates are too spread out for short designs:
-/// see correctedSeverities().
-[[nodiscard]] Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest);
+/// (Newton). `ratings`: persons x raters, categories 0 .. `highest`, missing values allowed. `codes`: of the
+/// raters, for the reason of an undefined result; empty: their numbers, from 1. Persons and raters with only
+/// extreme ratings are removed iteratively and reported. Undefined if the rating plan falls into disconnected
+/// parts, if a category is never used (collapse categories first), or if the likelihood has no finite
+/// maximum, which is decided exactly beforehand. Joint estimates are too spread out for short designs: see
+/// correctedSeverities().
+[[nodiscard]] Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest,
+                                                  std::span<const std::string> codes = {});
 
 /// A rater's severity without most of the bias of joint estimation, with an interval that can be believed.
 struct CorrectedSeverity {

@@ -147,8 +147,9 @@ bool crossEachOther(const RatingPlan& plan) {
          reaches(false);
 }
 
-/// Describes a direction: "rater 3 and the thresholds" are the parameters that diverge.
-std::string endlessNames(const std::vector<double>& direction, const std::vector<std::size_t>& raters) {
+/// Returns the parameters that diverge in a direction.
+UnboundedParameters divergingIn(const std::vector<double>& direction,
+                                const std::vector<std::size_t>& raters) {
   std::vector<double> severities{0.0};
   severities.insert(severities.end(), direction.begin(), direction.begin() + std::ssize(raters) - 1);
   const auto alike = [&](double severity) {
@@ -156,20 +157,14 @@ std::string endlessNames(const std::vector<double>& direction, const std::vector
   };
   const double usual = *std::max_element(severities.begin(), severities.end(),
                                          [&](double a, double b) { return alike(a) < alike(b); });
-  std::vector<std::string> names;
+  UnboundedParameters out;
   for (std::size_t j = 0; j < raters.size(); ++j) {
     if (severities[j] != usual) {
-      names.push_back("rater " + std::to_string(raters[j] + 1));
+      out.raters.push_back(raters[j]);
     }
   }
-  if (std::any_of(direction.begin() + std::ssize(raters) - 1, direction.end(),
-                  [](double threshold) { return threshold != 0.0; })) {
-    names.emplace_back("the thresholds");
-  }
-  std::string out;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  }
+  out.thresholds = std::any_of(direction.begin() + std::ssize(raters) - 1, direction.end(),
+                               [](double threshold) { return threshold != 0.0; });
   return out;
 }
 
@@ -239,12 +234,12 @@ bool RatingPlan::connected() const {
   return true;
 }
 
-std::optional<std::string> RatingPlan::unbounded() const {
+std::optional<UnboundedParameters> RatingPlan::unbounded() const {
   if (crossEachOther(*this)) {
     return std::nullopt;
   }
   const std::optional<std::vector<double>> direction = endlessRise(*this);
-  return direction ? std::optional(endlessNames(*direction, estimatedRaters())) : std::nullopt;
+  return direction ? std::optional(divergingIn(*direction, estimatedRaters())) : std::nullopt;
 }
 
 std::vector<int> RatingPlan::personRatings(std::size_t n) const {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace torsio {
@@ -17,6 +16,12 @@ enum class RaschStatus {
   kExtremeLow,   ///< every rating in the lowest category: minus infinity
   kExtremeHigh,  ///< every rating in the highest category: plus infinity
   kNoRatings,
+};
+
+/// Parameters without a finite estimate.
+struct UnboundedParameters {
+  std::vector<std::size_t> raters;  ///< whose severity, by their index
+  bool thresholds = false;
 };
 
 /// The rating design, and whether a rating scale model can be estimated from it. Extreme persons and raters
@@ -38,10 +43,9 @@ class RatingPlan {
   [[nodiscard]] int mark(std::size_t person, std::size_t rater) const;
   /// True if all who were not removed are linked by ratings.
   [[nodiscard]] bool connected() const;
-  /// Names the parameters that the ratings leave unbounded, "rater 3 and the thresholds"; empty if the
-  /// likelihood has one finite maximum. Exact. The plan must be connected, have two raters and use every
-  /// category.
-  [[nodiscard]] std::optional<std::string> unbounded() const;
+  /// Returns the parameters that the ratings leave unbounded; empty if the likelihood has one finite maximum.
+  /// Exact. The plan must be connected, have two raters and use every category.
+  [[nodiscard]] std::optional<UnboundedParameters> unbounded() const;
 
  private:
   [[nodiscard]] std::vector<int> personRatings(std::size_t person) const;

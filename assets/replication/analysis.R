@@ -35,6 +35,11 @@ evaluation$mark <- as.numeric(evaluation$mark)
 
 in_order <- function(x) sort(unique(x), method = "radix")   # the same order in every locale
 facts <- function(section, statistic) given[given$section == section & given$statistic == statistic, ]
+# An end of the scale of the training marks, in points: "scale_lowest" or "scale_highest".
+scale_of_marks <- function(statistic) {
+  rows <- facts("record", statistic)
+  as.numeric(rows$value[rows$item == "training_marks"])
+}
 
 # ---- Results -------------------------------------------------------------------------------------------
 
@@ -1198,13 +1203,26 @@ if (last > 1 && nrow(marks) > 0) {
         constant <- level^2 - t^2 * form(zero, zero)
         discriminant <- linear^2 - 4 * square * constant
         roots <- sort((-linear + c(-1, 1) * sqrt(max(0, discriminant))) / (2 * square))
-        roots <- sprintf("%.2f", roots)
+        low <- scale_of_marks("scale_lowest")   # of the scores that the scale has
+        high <- scale_of_marks("scale_highest")
+        below <- roots[1] > low    # whether there are scores below the lower root, and above the upper one
+        above <- roots[2] < high
+        outside <- roots[1] >= high || roots[2] <= low
+        named <- sprintf("%.2f", roots)
         put_comparison("separate_slopes_differ", if (discriminant <= 0) {
           if (square > 0 && discriminant < 0) "for every score before" else "for no score before"
+        } else if (outside) {
+          if (square > 0) "for every score before" else "for no score before"
         } else if (square > 0) {
-          sprintf("for a score before below %s or above %s", roots[1], roots[2])
+          if (below && above) sprintf("for a score before below %s or above %s", named[1], named[2])
+          else if (below) sprintf("for a score before below %s", named[1])
+          else if (above) sprintf("for a score before above %s", named[2])
+          else "for no score before"
         } else {
-          sprintf("for a score before between %s and %s", roots[1], roots[2])
+          if (below && above) sprintf("for a score before between %s and %s", named[1], named[2])
+          else if (below) sprintf("for a score before above %s", named[1])
+          else if (above) sprintf("for a score before below %s", named[2])
+          else "for every score before"
         }, group = pair)
       }
       differences$p <- 2 * pt(-abs(differences$difference / differences$error), df)
@@ -1493,14 +1511,10 @@ if (last > 1 && nrow(marks) > 0) {
   # Bounds: the missing marks at the end of one group of a pair are all the lowest of the scale, those of the
   # other all the highest. A missing score before is the mean of the known ones.
   if (any(affected)) {
-    scale <- function(statistic) {
-      rows <- facts("record", statistic)
-      as.numeric(rows$value[rows$item == "training_marks"])
-    }
     bound <- function(low, high) {
       in_pair <- people$group %in% c(low, high)
       extra <- ifelse(in_pair, missing_after, 0)
-      as <- ifelse(people$group == low, scale("scale_lowest"), scale("scale_highest"))
+      as <- ifelse(people$group == low, scale_of_marks("scale_lowest"), scale_of_marks("scale_highest"))
       number <- rowSums(!is.na(marks_after)) + extra
       score <- (rowSums(marks_after, na.rm = TRUE) + extra * as) / number
       start <- ifelse(is.na(before), mean(before, na.rm = TRUE), before)

@@ -95,7 +95,8 @@ TEST(CohortReport, StartsWithAPageThatABoardReadsInAMinute) {
               ::testing::HasSubstr("do the scores at the end (after 40 min) differ"));
   EXPECT_THAT(
       board.paragraphs[1].str(),
-      ::testing::HasSubstr("30 trainees in 3 groups, 0 of them withdrew; 10 physicians gave 900 marks; "
+      ::testing::HasSubstr("30 trainees in 3 groups, 30 of them compared at the end, 0 of them withdrew; "
+                           "10 physicians gave 900 marks; "
                            "1 deviation from"));
   ASSERT_EQ(board.figures.size(), 1U);
   EXPECT_EQ(board.figures[0].id, "figure-answer");
@@ -134,6 +135,10 @@ TEST(CohortReport, NamesOnTheFirstPageWhoReachedTheStandard) {
 
   EXPECT_EQ(cohortReport(in).sections.front().tables.at(0).rows.at(0).at(5).str(), "1 of 2: x101");
   EXPECT_EQ(cohortReport(in).sections.front().tables.at(0).rows.at(2).at(5).str(), "no recorded run");
+  CohortInputs unjudged = in;
+  unjudged.competence.clear();
+  EXPECT_EQ(cohortReport(unjudged).sections.front().tables.at(0).rows.at(0).at(3).str(), "1");
+  EXPECT_EQ(cohortReport(unjudged).sections.front().tables.at(0).rows.at(0).at(5).str(), "no run judged");
   in.identity = ReportIdentity::kAggregated;
   EXPECT_EQ(cohortReport(in).sections.front().tables.at(0).rows.at(0).at(5).str(), "not shown");
 }
@@ -254,6 +259,24 @@ TEST(CohortReport, AFiguresColumnHasTheDecimalsThatItsNumbersNeed) {
   EXPECT_EQ(column(1), "6 10 0");
   EXPECT_EQ(column(2), "8.73 -8.50 ");
   EXPECT_EQ(column(3), "0.3333 100.0000 0.0000");
+}
+
+TEST(CohortReport, TheValuesOfALineIncludeItsIntervals) {
+  ReportFigure figure;
+  figure.kind = FigureKind::kLines;
+  figure.series = {{.name = Text::verbatim("Group 1"),
+                    .x = {1.0, 2.0},
+                    .y = {5.5, 4.0},
+                    .low = {4.5, 3.0},
+                    .high = {6.5, 5.0}},
+                   {.name = Text::verbatim("limit"), .x = {1.0}, .y = {2.0}}};
+
+  const ReportTable table = figureTable(figure, 4);
+
+  ASSERT_EQ(table.columns.size(), 5U);
+  EXPECT_EQ(table.rows.at(0).at(3), "4.5");
+  EXPECT_EQ(table.rows.at(1).at(4), "5.0");
+  EXPECT_EQ(table.rows.at(2).at(3), "");
 }
 
 TEST(CohortReport, AnAggregatedReportContainsNoIndividual) {

@@ -3,6 +3,7 @@
 // interval with its level, and nothing omitted that the data still support.
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <regex>
 #include <set>
@@ -18,6 +19,7 @@
 #include "assessment/results/study_analysis.h"
 #include "assessment/statistics/power.h"
 #include "tests/support/demonstration_cohort.h"
+#include "tests/support/strange_cohorts.h"
 
 namespace torsio {
 
@@ -432,6 +434,70 @@ TEST(StrangeCohort, OneTraineeHasNoAgreementBeyondChance) {
   for (const std::vector<ReportCell>& row : testing::tableNamed(report, "table-kappa")->rows) {
     EXPECT_EQ(row.at(4), "not defined");  // two different marks would give 0, whoever gave them
   }
+}
+
+TEST(StrangeCohort, OnlyADemonstrationIsSaidToBeShortened) {
+  EXPECT_THAT(textOfAll(testing::demonstrationCohort()), HasSubstr("shortened for this demonstration"));
+  EXPECT_THAT(textOfAll(testing::soundCohort()), Not(HasSubstr("shortened for this demonstration")));
+}
+
+TEST(StrangeCohort, OneGroupTakesNoDifferentCourses) {
+  EXPECT_THAT(textOfAll(losing([](const TrainingMark& mark) { return mark.group > 0; })),
+              Not(HasSubstr("whether the groups take different courses")));
+}
+
+TEST(StrangeCohort, TheChecklistLeadsToTheComparisonThatAnswers) {
+  const auto answerOf26 = [](const CohortInputs& in) {
+    const ReportModel report = cohortReport(in);
+    for (const std::vector<ReportCell>& row : tableNamed(report, "table-checklist-consort")->rows) {
+      if (row.at(0) == "26") {
+        return row.at(2).str();
+      }
+    }
+    return std::string();
+  };
+  EXPECT_THAT(answerOf26(losing([](const TrainingMark& mark) {  // the mixed model is primary
+                return mark.trainee == "x101" && mark.rater == "R101" && mark.occasion == 2;
+              })),
+              HasSubstr("The answer: differences between the groups"));
+  EXPECT_EQ(answerOf26(losing([](const TrainingMark& mark) { return mark.group > 0; })), "not recorded");
+}
+
+TEST(StrangeCohort, OneMissingMarkIsOne) {
+  const std::string said = textOfAll(losing([](const TrainingMark& mark) {
+    return mark.trainee == "x101" && mark.rater == "R101" && mark.occasion == 2;
+  }));
+  EXPECT_THAT(said, HasSubstr("Of 600 marks of the first and the last occasion 1 is missing, so"));
+}
+
+TEST(StrangeCohort, ScoresForWhichGroupsDifferLieOnTheScale) {
+  CohortInputs in = testing::soundCohort();
+  std::map<std::string, double> before;
+  for (const TraineeScore& score : in.scores) {
+    if (score.occasion == 0) {
+      before[score.trainee] = score.score;
+    }
+  }
+  for (TrainingMark& mark : in.trainingMarks) {  // the first line crosses the others above the highest mark
+    if (mark.group == 0 && mark.occasion == 2) {
+      mark.steps = 64 + static_cast<std::int64_t>(6.0 * before[mark.trainee]) + mark.rater.back() % 3;
+    }
+  }
+  const ReportModel report = cohortReport(scored(std::move(in)));
+  const ReportTable* table = tableNamed(report, "table-slopes");
+  ASSERT_NE(table, nullptr);
+  const std::regex number(R"(\d+\.\d+)");
+  bool below = false;
+  for (const std::vector<ReportCell>& row : table->rows) {
+    const std::string differ = row.back().str();
+    below = below || std::regex_match(differ, std::regex(R"(for a score before below \d\.\d\d)"));
+    for (auto at = std::sregex_iterator(differ.begin(), differ.end(), number); at != std::sregex_iterator();
+         ++at) {
+      EXPECT_GT(std::stod(at->str()), 1.0) << differ;
+      EXPECT_LT(std::stod(at->str()), 10.0) << differ;
+    }
+  }
+  EXPECT_TRUE(below) << table->rows.front().back().str();
 }
 
 TEST(StrangeCohort, WithoutVariationNoNumberOfRatersIsCalledTooFew) {

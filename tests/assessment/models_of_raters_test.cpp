@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -338,6 +340,8 @@ TEST(ManyFacetRasch, NamesUnboundedRaters) {
 
   ASSERT_FALSE(got);
   EXPECT_THAT(got.reason().str(), ::testing::HasSubstr("bounds rater 3 and rater 4"));
+  const std::vector<std::string> codes{"R-01", "R-02", "R-03", "R-04"};
+  EXPECT_THAT(manyFacetRasch(marks, 1, codes).reason().str(), ::testing::HasSubstr("bounds R-03 and R-04"));
 }
 
 TEST(Rasch, CorrectedSeveritiesAreLessFarApartAndTheirIntervalsHoldTheTruth) {

@@ -254,11 +254,13 @@ TEST(CompetenceSection, PrintsTheErrorRatesBesideEveryLevel) {
   const ReportModel report = cohortReport(in);
   const ReportTable* table = tableIn(report, "table-competence");
   ASSERT_NE(table, nullptr);
-  EXPECT_EQ(table->rows.at(0).at(6), "competent, since attempt 2");
-  EXPECT_EQ(table->rows.at(0).at(7), "4.9 %");
-  EXPECT_EQ(table->rows.at(1).at(8), "9.4 %");
-  EXPECT_EQ(table->rows.at(1).at(9), "2");
-  EXPECT_EQ(table->rows.at(1).at(10), "shipped with the exercise");
+  EXPECT_EQ(table->rows.at(0).at(5), "competent, since attempt 2");
+  EXPECT_EQ(table->rows.at(0).at(6), "4.9 %");
+  EXPECT_EQ(table->rows.at(1).at(7), "9.4 %");
+  EXPECT_EQ(table->rows.at(1).at(8), "2");
+  ASSERT_EQ(table->notes.size(), 2U) << "what all have in common is said once";
+  EXPECT_EQ(table->notes.at(0), "Exercise: Quarter turn.");
+  EXPECT_EQ(table->notes.at(1), "Design: shipped with the exercise.");
   const ReportTable* odds = tableIn(report, "table-competence-odds");
   ASSERT_NE(odds, nullptr);
   ASSERT_EQ(odds->rows.size(), 1U);

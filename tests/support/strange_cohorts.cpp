@@ -229,16 +229,16 @@ std::vector<StrangeCohort> strangePeople() {
          in = scored(std::move(in));
        }),
        {"trainees withdrew (Group 1: 0; Group 2: 0; Group 3: ", "people like those who stayed",
-        "could, at worst, leave open", "linear mixed model"},
+        "could, at worst, leave open", "linear mixed model", "26 of them compared at the end, 4 of them"},
        {}},
       {"stopped early",
        with([](CohortInputs& in) {
-         in.freeze = CohortFreeze{"stopped", "b", 1, "admin", true, 900, 600, "a difference was seen"};
+         in.freeze = CohortFreeze{"stopped", "b", 1, "admin", true, 900, 540, "a difference was seen"};
          std::erase_if(in.trainingMarks,
                        [](const TrainingMark& mark) { return mark.trainee.substr(1) > "106"; });
          in = scored(std::move(in));
        }),
-       {"Interim: these data were frozen when 600 of 900 sheets were in (a difference was seen)",
+       {"Interim: these data were frozen when 540 of 900 sheets were in (a difference was seen)",
         "Looking at results before the end of a study makes false findings more likely."}},
       {"many entered twice",
        withMarks([](TrainingMark& mark) {
@@ -264,8 +264,8 @@ std::vector<StrangeCohort> strangePeople() {
        {"Group 1 - Group 3"}},
       {"one group only",
        without([](const TrainingMark& mark) { return mark.group > 0; }),
-       {"Answer: none"},
-       {"Answer, adjusted"}},
+       {"Answer: none", "0 of them compared at the end"},
+       {"Answer, adjusted", "A difference that was not shown"}},
       {"changed after the freeze",
        with([](CohortInputs& in) {
          in.freeze = CohortFreeze{"final", "b", 1, "admin", false};

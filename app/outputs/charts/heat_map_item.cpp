@@ -193,11 +193,14 @@ void HeatMapItem::paintScale(QPainter& painter, const QRectF& bar) const {
   painter.setPen(style_.ink);
   painter.setFont(font(style_.label_px - 3));
   const QFontMetricsF metrics(painter.font());
+  const bool whole = std::floor(low_) == low_ && std::floor(high_) == high_;
+  const bool wholeMiddle = whole && std::fmod(low_ + high_, 2.0) == 0.0;
   for (const double at : {0.0, 0.5, 1.0}) {
     const double y = bar.bottom() - at * bar.height();
     const double inside = std::clamp(y - 0.5 * metrics.height(), bar.top(), bar.bottom() - metrics.height());
-    painter.drawText(QRectF(bar.right() + 4, inside, 60, metrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                     chartNumber(low_ + at * (high_ - low_), high_ - low_ >= 8.0 ? 0 : 1, style_));
+    painter.drawText(
+        QRectF(bar.right() + 4, inside, 60, metrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
+        chartNumber(low_ + at * (high_ - low_), (at == 0.5 ? wholeMiddle : whole) ? 0 : 1, style_));
   }
   if (figure_.yLabel.empty()) {
     return;

@@ -122,8 +122,8 @@ void PageFlow::bookmark(const QString& title, int level) {
   }
 }
 
-TableLayout PageFlow::layOut(const PlainTable& table) const {
-  return torsio::layOut(table, width_mm(), writer_, unit_,
+TableLayout PageFlow::layOut(const PlainTable& table, double width_mm) const {
+  return torsio::layOut(table, width_mm, writer_, unit_,
                         [this](double points, bool bold) { return font(points, bold); });
 }
 
@@ -131,42 +131,52 @@ void PageFlow::table(const PlainTable& table) {
   this->table(table, layOut(table));
 }
 
-void PageFlow::table(const PlainTable& table, const TableLayout& layout, double keepWithLast_mm) {
+PageFlow::Draw PageFlow::drawnRow(const std::vector<QString>& cells, const TableLayout& layout,
+                                  std::size_t number, PdfRole role, std::size_t row) {
   const double total_mm = std::accumulate(layout.widths_mm.begin(), layout.widths_mm.end(), 0.0);
-  const std::size_t number = ++tables_;
-  const auto drawRow = [this, number, widths = layout.widths_mm, numeric = layout.numeric, total_mm](
-                           const std::vector<QString>& cells, const QFont& f, const QColor& fill,
-                           PdfRole role, std::size_t row) {
-    return [=, this](QPainter& painter, const QRectF& area, double unit) {
-      double x = area.left();
-      const double total = total_mm * unit;
-      if (fill.isValid()) {
-        painter.fillRect(QRectF(x, area.top(), total, area.height()), fill);
-      }
-      painter.setPen(QPen(kRule, 0.15 * unit));
-      painter.drawLine(QPointF(x, area.bottom()), QPointF(x + total, area.bottom()));
-      painter.setFont(f);
-      painter.setPen(kInk);
-      for (std::size_t c = 0; c < cells.size(); ++c) {
-        const QRectF cell(x + kCellPadding_mm * unit, area.top(), (widths[c] - 2.0 * kCellPadding_mm) * unit,
-                          area.height());
-        if (role != PdfRole::kArtifact) {
-          begin(painter, {role, {}, 0, number, row});
-          painter.setPen(kInk);
+  const bool header = row == 0;
+  return
+      [this, cells, number, role, row, total_mm, header, widths = layout.widths_mm, numeric = layout.numeric,
+       letters = header ? layout.bold : layout.regular](QPainter& painter, const QRectF& area, double unit) {
+        double x = area.left();
+        const double total = total_mm * unit;
+        if (header) {
+          painter.fillRect(QRectF(x, area.top(), total, area.height()), kHeaderFill);
         }
-        painter.drawText(cell,
-                         Qt::TextWordWrap | Qt::AlignVCenter | (numeric[c] ? Qt::AlignRight : Qt::AlignLeft),
-                         cells[c]);
-        x += widths[c] * unit;
-      }
-    };
-  };
-  const auto header = [&](PdfRole role) {
-    if (layout.header_mm > 0.0) {
-      add(layout.header_mm, drawRow(table.columns, layout.bold, kHeaderFill, role, 0), 6.0);
-    }
-  };
-  header(PdfRole::kHeaderCell);
+        painter.setPen(QPen(kRule, 0.15 * unit));
+        painter.drawLine(QPointF(x, area.bottom()), QPointF(x + total, area.bottom()));
+        painter.setFont(letters);
+        painter.setPen(kInk);
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+          const QRectF cell(x + kCellPadding_mm * unit, area.top(),
+                            (widths[c] - 2.0 * kCellPadding_mm) * unit, area.height());
+          if (role != PdfRole::kArtifact) {
+            begin(painter, {role, {}, 0, number, row});
+            painter.setPen(kInk);
+          }
+          painter.drawText(
+              cell, Qt::TextWordWrap | Qt::AlignVCenter | (numeric[c] ? Qt::AlignRight : Qt::AlignLeft),
+              cells[c]);
+          x += widths[c] * unit;
+        }
+      };
+}
+
+void PageFlow::addHeader(const PlainTable& table, const TableLayout& layout, std::size_t number,
+                         PdfRole role) {
+  if (layout.header_mm > 0.0) {
+    add(layout.header_mm, drawnRow(table.columns, layout, number, role, 0), 6.0);
+  }
+}
+
+void PageFlow::addRow(const PlainTable& table, const TableLayout& layout, std::size_t number,
+                      std::size_t row) {
+  add(layout.rows_mm[row], drawnRow(table.rows[row], layout, number, PdfRole::kCell, row + 1));
+}
+
+void PageFlow::table(const PlainTable& table, const TableLayout& layout, double keepWithLast_mm) {
+  const std::size_t number = ++tables_;
+  addHeader(table, layout, number, PdfRole::kHeaderCell);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const std::size_t left = table.rows.size() - r - 1;  // no row stands alone on the next page
     const double under_mm = left == 0   ? keepWithLast_mm
@@ -174,9 +184,43 @@ void PageFlow::table(const PlainTable& table, const TableLayout& layout, double 
                                         : 0.0;
     if (cursor_mm_ + layout.rows_mm[r] + under_mm > bottom_mm()) {
       newPage();
-      header(PdfRole::kArtifact);  // readers have heard it already
+      addHeader(table, layout, number, PdfRole::kArtifact);  // readers have heard it already
     }
-    add(layout.rows_mm[r], drawRow(table.rows[r], layout.regular, QColor(), PdfRole::kCell, r + 1));
+    addRow(table, layout, number, r);
+  }
+}
+
+void PageFlow::tableInColumns(const PlainTable& table, const TableLayout& layout) {
+  const std::size_t number = ++tables_;
+  double left_mm = std::accumulate(layout.rows_mm.begin(), layout.rows_mm.end(), 0.0);
+  std::size_t next = 0;
+  const auto addColumn = [&](double height_mm) {
+    addHeader(table, layout, number, next == 0 ? PdfRole::kHeaderCell : PdfRole::kArtifact);
+    double added_mm = 0.0;
+    while (next < table.rows.size() && added_mm + layout.rows_mm[next] <= height_mm) {
+      added_mm += layout.rows_mm[next];
+      addRow(table, layout, number, next++);
+    }
+    left_mm -= added_mm;
+  };
+  while (next < table.rows.size()) {
+    const double tallest_mm = *std::max_element(layout.rows_mm.begin(), layout.rows_mm.end());
+    const double half_mm = 0.5 * left_mm + tallest_mm;
+    if (room_mm() < layout.header_mm + std::min(half_mm, 2.0 * tallest_mm)) {
+      newPage();
+    }
+    constexpr double kRounding_mm = 0.01;
+    const double height_mm = std::min(half_mm, room_mm() - layout.header_mm - kRounding_mm);
+    beginColumns(layout.header_mm + height_mm);
+    addColumn(height_mm);
+    nextColumn();
+    if (next < table.rows.size()) {
+      addColumn(height_mm);
+    }
+    endColumns();
+    if (next < table.rows.size()) {
+      newPage();
+    }
   }
 }
 

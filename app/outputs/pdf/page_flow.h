@@ -72,7 +72,11 @@ class PageFlow {
   void table(const PlainTable& table);
   /// `keepWithLast_mm`: room required below the last row (for its notes).
   void table(const PlainTable& table, const TableLayout& layout, double keepWithLast_mm = 0.0);
-  [[nodiscard]] TableLayout layOut(const PlainTable& table) const;
+  /// Adds a narrow table in both columns, down the left and then down the right. `layout`: for
+  /// columnWidth_mm().
+  void tableInColumns(const PlainTable& table, const TableLayout& layout);
+  [[nodiscard]] TableLayout layOut(const PlainTable& table) const { return layOut(table, width_mm()); }
+  [[nodiscard]] TableLayout layOut(const PlainTable& table, double width_mm) const;
 
   /// Draws everything. `painter` is active on the writer. `progress` is called after every page.
   void render(QPainter& painter,
@@ -89,6 +93,12 @@ class PageFlow {
     Draw draw;
     PdfPart part;
   };
+  /// Adds the header, or a row, of the table with this number.
+  void addHeader(const PlainTable& table, const TableLayout& layout, std::size_t number, PdfRole role);
+  void addRow(const PlainTable& table, const TableLayout& layout, std::size_t number, std::size_t row);
+  /// Returns how a row of cells is drawn. `row`: 0 for the header.
+  [[nodiscard]] Draw drawnRow(const std::vector<QString>& cells, const TableLayout& layout,
+                              std::size_t number, PdfRole role, std::size_t row);
   /// Begins a part of the current page.
   void begin(QPainter& painter, PdfPart part);
   void drawFrame(QPainter& painter, std::size_t page, double unit);

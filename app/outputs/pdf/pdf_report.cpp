@@ -66,6 +66,7 @@ constexpr double kBelowTitle_mm = 1.0;  // of a table
 constexpr double kBehindNotes_mm = 4.0;
 constexpr std::size_t kRowsWithTitle = 2;
 constexpr double kShortTable_mm = 60.0;
+constexpr std::size_t kFoldedRows = 14;  // from so many on, a narrow table goes down both columns of a page
 const QColor kAccent(0x00, 0x4A, 0x7C);
 
 double heightOf(const ReportFigure& figure, double width_mm) {
@@ -111,7 +112,10 @@ bool isNarrow(const ReportFigure& figure, const Wording& say, double width_mm) {
 /// Lays out a report on pages in one language.
 class Composer {
  public:
-  Composer(PageFlow& flow, const Wording& wording) : flow_(flow), say_(wording) {}
+  Composer(PageFlow& flow, const Wording& wording)
+      : flow_(flow), say_([&wording](const Text& text) {  // a number and its per cent sign stay together
+          return wording(text).replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"));
+        }) {}
 
   /// `whole`: a page of its own; otherwise other content must fit below.
   void title(const ReportModel& model, bool whole) {
@@ -202,51 +206,53 @@ class Composer {
 
   /// Adds the values of all figures, those that fit as tables.
   void values(const ReportModel& model) {
-    bool begun = false;
-    std::vector<QString> unprinted;
-    QString where;
+    std::vector<ReportTable> twins;
+    std::vector<Text> unprinted;
+    Text where;
     for (const ReportSection& section : model.sections) {
       for (const ReportFigure& figure : section.figures) {
         ReportTable twin = figureTable(figure, kTableDecimals);
         if (figure.valuesInLabels || twin.rows.empty()) {
           continue;
         }
-        if (!begun) {
-          flow_.newPage();
-          flow_.text(say_(Text::tr("Annex: values of the figures")), 16.0, true, kAccent, 20.0);
-          flow_.bookmark(say_(Text::tr("Annex: values of the figures")), 0);
-          flow_.space(2.0);
-          begun = true;
-        }
         if (twin.rows.size() > kLongestTwin || twin.columns.size() > kWidestTwin) {
-          unprinted.push_back(say_(figure.title));
-          where = figure.valuesStand.empty() ? where : say_(figure.valuesStand);
+          unprinted.push_back(figure.title);
+          where = figure.valuesStand.empty() ? where : figure.valuesStand;
           continue;
         }
         twin.title = figure.title;
         twin.notes.clear();
         twin.provenance = {};
-        place({tableItem(twin)});
+        twins.push_back(std::move(twin));
+      }
+    }
+    if (!twins.empty() || !unprinted.empty()) {
+      flow_.newPage();
+      flow_.text(say_(Text::tr("Annex: values of the figures")), 16.0, true, kAccent, 20.0);
+      flow_.bookmark(say_(Text::tr("Annex: values of the figures")), 0);
+      flow_.space(2.0);
+    }
+    for (std::size_t i = 0; i < twins.size(); ++i) {
+      if (i + 1 < twins.size() && fitsColumn(twins[i]) && fitsColumn(twins[i + 1])) {
+        addPair(twins[i], twins[i + 1]);
+        ++i;
+      } else {
+        place({tableItem(twins[i])});
       }
     }
     if (!unprinted.empty()) {
-      flow_.text(
-          joinedSentences({say_(Text::tr("The values of these figures are too many to print:")),
-                           unprinted.size() == 1
-                               ? unprinted.front()
-                               : QStringList(unprinted.begin(), unprinted.end()).join(QStringLiteral("; ")),
-                           where}),
-          kNote_pt, false, kQuietInk);
+      flow_.text(joinedSentences({say_(Text::tr("The values of these figures are too many to print: %1.",
+                                                listed(unprinted, Text::tr("%1; %2")))),
+                                  say_(where)}),
+                 kNote_pt, false, kQuietInk);
     }
   }
 
  private:
   [[nodiscard]] PlainTable plain(const ReportTable& table) const {
     PlainTable out;
-    for (const Text& column : table.columns) {  // keep "[95 %]" and "Eq. 25" together
-      out.columns.push_back(say_(column)
-                                .replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"))
-                                .replace(QStringLiteral("Eq. "), QStringLiteral("Eq.\u00A0")));
+    for (const Text& column : table.columns) {  // keep "Eq. 25" together
+      out.columns.push_back(say_(column).replace(QStringLiteral("Eq. "), QStringLiteral("Eq.\u00A0")));
     }
     for (const std::vector<ReportCell>& row : table.rows) {
       TORSIO_EXPECTS(row.size() == table.columns.size());
@@ -436,9 +442,69 @@ class Composer {
         0.0, {PdfRole::kFigure, say_(figure.title)});
   }
 
+  /// Returns the layout of a table in a column of the page, if it is as readable there as over the whole
+  /// width.
+  [[nodiscard]] std::optional<TableLayout> inColumn(const PlainTable& cells, const TableLayout& whole) const {
+    TableLayout layout = flow_.layOut(cells, flow_.columnWidth_mm());
+    const bool readable = layout.regular.pointSizeF() == whole.regular.pointSizeF() &&
+                          layout.rows_mm == whole.rows_mm && !layout.rows_mm.empty();
+    return readable ? std::optional(std::move(layout)) : std::nullopt;
+  }
+
+  /// Returns whether two tables like this one can stand beside each other.
+  [[nodiscard]] bool fitsColumn(const ReportTable& table) const {
+    const PlainTable cells = plain(table);
+    return table.rows.size() < kFoldedRows && inColumn(cells, flow_.layOut(cells)).has_value();
+  }
+
+  /// Adds two short tables beside each other, without notes.
+  void addPair(const ReportTable& left, const ReportTable& right) {
+    const double width_mm = flow_.columnWidth_mm();
+    const auto height_mm = [&](const ReportTable& table) {
+      return flow_.textHeight_mm(say_(table.title), kTitle_pt, true, width_mm) + kBelowTitle_mm +
+             flow_.layOut(plain(table), width_mm).height_mm();
+    };
+    const auto addOne = [&](const ReportTable& table) {
+      const PlainTable cells = plain(table);
+      flow_.text(say_(table.title), kTitle_pt, true, kAccent);
+      flow_.bookmark(say_(table.title), 1);
+      flow_.space(kBelowTitle_mm);
+      flow_.table(cells, flow_.layOut(cells));
+    };
+    flow_.beginColumns(std::max(height_mm(left), height_mm(right)));
+    addOne(left);
+    flow_.nextColumn();
+    addOne(right);
+    flow_.endColumns();
+    flow_.space(1.0 + kBehindNotes_mm);
+  }
+
+  /// A long narrow table, down both columns of the page.
+  [[nodiscard]] Item foldedItem(const ReportTable& table, PlainTable cells, TableLayout layout) {
+    const double notes_mm = notesHeight_mm(table.notes, table.provenance, flow_.width_mm());
+    const double title_mm = flow_.textHeight_mm(say_(table.title), kTitle_pt, true);
+    const double begin_mm = layout.header_mm + kRowsWithTitle * layout.rows_mm.front();
+    const double whole_mm = layout.header_mm + 0.5 * layout.height_mm() + notes_mm;
+    return {true, begin_mm + 2.0 * kHeading_mm, whole_mm + 2.0 * kHeading_mm,
+            title_mm + whole_mm + 1.0 + kBehindNotes_mm,
+            [this, &table, cells = std::move(cells), layout = std::move(layout), begin_mm] {
+              flow_.text(say_(table.title), kTitle_pt, true, kAccent, begin_mm + kBelowTitle_mm);
+              flow_.bookmark(say_(table.title), 1);
+              flow_.space(kBelowTitle_mm);
+              flow_.tableInColumns(cells, layout);
+              flow_.space(1.0);
+              addNotes(table.notes, table.provenance);
+            }};
+  }
+
   [[nodiscard]] Item tableItem(const ReportTable& table) {
     PlainTable cells = plain(table);
     TableLayout layout = flow_.layOut(cells);
+    if (table.rows.size() >= kFoldedRows) {
+      if (std::optional<TableLayout> narrow = inColumn(cells, layout)) {
+        return foldedItem(table, std::move(cells), *std::move(narrow));
+      }
+    }
     const double notes_mm = notesHeight_mm(table.notes, table.provenance, flow_.width_mm());
     // Keep a title with the header and the first rows, or with the whole of a short table.
     double begin_mm = kHeading_mm + layout.header_mm;
@@ -485,7 +551,7 @@ class Composer {
   }
 
   PageFlow& flow_;
-  const Wording& say_;
+  const Wording say_;
   double board_pt_ = kBoard_pt.front();
 };
 

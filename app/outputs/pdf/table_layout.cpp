@@ -26,7 +26,7 @@ constexpr double kMaxStretch = 1.35;
 
 /// Accepts numbers and their substitutes: "< 0.001", "4, 54".
 bool looksNumeric(const QString& cell) {
-  static const QString kSigns = QStringLiteral("0123456789.,+-eE%<= ");
+  static const QString kSigns = QStringLiteral("0123456789.,+-eE%<= \u00A0");
   const QString plain = plainMinus(cell);
   return !plain.isEmpty() &&
          std::all_of(plain.begin(), plain.end(), [](QChar sign) { return kSigns.contains(sign); });

@@ -17,6 +17,7 @@
 #include <QGraphicsTextItem>
 #include <QImage>
 #include <QPainter>
+#include <QProcess>
 #include <gtest/gtest.h>
 #include <qpdf/QPDF.hh>
 
@@ -360,8 +361,42 @@ TEST(PdfReport, StatesWhereToFindValuesTooManyToPrint) {
   writePdfReport(model, freshFolder("values") / "values.pdf", listen);
 
   EXPECT_NE(std::find(said.begin(), said.end(), QStringLiteral("They stand in course.csv.")), said.end());
+  EXPECT_NE(std::find(said.begin(), said.end(),
+                      QStringLiteral("The values of these figures are too many to print: A course of two "
+                                     "hundred moments.")),
+            said.end())
+      << "a sentence of its own";
   for (const QString& sentence : said) {
     EXPECT_FALSE(sentence.contains(QStringLiteral("Results"))) << sentence.toStdString();
+  }
+}
+
+TEST(PdfReport, ALongNarrowTableGoesDownBothColumnsOfItsPage) {
+  ReportModel model = smallReport();
+  ReportTable table;
+  table.id = "table-long";
+  table.title = Text::verbatim("Seventy rows");
+  table.columns = {Text::verbatim("Row"), Text::verbatim("Share")};
+  for (int i = 1; i <= 70; ++i) {
+    table.rows.push_back(
+        {"row" + std::string(i < 10 ? "0" : "") + std::to_string(i), Text::verbatim("50.0 %")});
+  }
+  model.sections.resize(1);
+  model.sections[0].figures.clear();
+  model.sections[0].tables = {table};
+  const fs::path file = freshFolder("folded") / "folded.pdf";
+
+  writePdfReport(model, file);
+
+  QProcess reader;
+  reader.start(QStringLiteral("pdftotext"),
+               {QStringLiteral("-raw"), QString::fromStdString(file.string()), QStringLiteral("-")});
+  ASSERT_TRUE(reader.waitForFinished()) << "pdftotext of poppler-utils";
+  for (const QString& page : QString::fromUtf8(reader.readAllStandardOutput()).split(u'\f')) {
+    EXPECT_EQ(page.contains(QStringLiteral("row01 ")), page.contains(QStringLiteral("row70 ")))
+        << page.toStdString();
+    EXPECT_EQ(page.count(QStringLiteral("Share")), page.contains(QStringLiteral("row01 ")) ? 2 : 0);
+    EXPECT_FALSE(page.contains(QStringLiteral("50.0 %"))) << "a number and its per cent sign stay together";
   }
 }
 
