@@ -1527,6 +1527,10 @@
         <source>Level: %1</source>
         <translation>水平：%1</translation>
     </message>
+    <message>
+        <source>How often is this wrong?</source>
+        <translation>这有多大可能判错？</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>
@@ -10325,10 +10329,6 @@
         <translation>已登记胜任标准</translation>
     </message>
     <message>
-        <source>The interaction is the question: whether the groups take different courses. Greenhouse-Geisser epsilon %1.</source>
-        <translation>关键是交互作用：各组的进程是否不同。Greenhouse-Geisser ε 为 %1。</translation>
-    </message>
-    <message>
         <source>a competence verdict is in a group that does not exist, or has no limit</source>
         <translation>一项胜任判定属于不存在的组，或没有界限</translation>
     </message>
@@ -10855,10 +10855,6 @@
     <message>
         <source>each mark against the mean of the others, limits for repeated measures</source>
         <translation>每个评分与其余评分者均值的比较，重复测量的界限</translation>
-    </message>
-    <message>
-        <source>Limits for repeated measures: plus and minus 1.96 standard deviations of one rater&apos;s mark about the mean of %1 others, %2 points, from the variances of raters and rest over all trainees.</source>
-        <translation>重复测量的界限：单个评分者的评分相对于另外 %1 名评分者均值的正负 1.96 个标准差，即 %2 分，由全体学员的评分者方差和残差方差得出。</translation>
     </message>
     <message>
         <source>too few trainees with every mark</source>
@@ -11879,10 +11875,6 @@ audit trail %3</source>
         <translation>χ²(%1) = %2，%3；%5 名评分者的 Kendall W = %4。</translation>
     </message>
     <message>
-        <source>People: %1 {trainee|trainees} in %2 {group|groups}, %3 of them withdrew; %4 {physician|physicians} gave %5 {mark|marks}; %6 {deviation from the protocol was|deviations from the protocol were} reported.</source>
-        <translation>人员：%1 名学员分为 %2 组，其中 %3 名退出；%4 名医师给出 %5 个分数；报告了 %6 次方案偏离。</translation>
-    </message>
-    <message>
         <source>a run is in a group that does not exist</source>
         <translation>某次操作所在的组不存在</translation>
     </message>
@@ -11949,10 +11941,6 @@ audit trail %3</source>
     <message>
         <source>The first points rest on up to %1 {trainee|trainees} of a group, the last on %2.</source>
         <translation>最初的点基于每组至多 %1 名学员，最后的点基于 %2 名。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 {mark of the first and the last occasion is|marks of the first and the last occasion are} missing</source>
-        <translation>首末两个评分时点的 %2 个评分中缺失 %1 个</translation>
     </message>
     <message>
         <source>Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); %1 {mark|marks} of %2 {trainee|trainees}. Degrees of freedom after Satterthwaite.</source>
@@ -18399,10 +18387,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>未显示出差异并不证明相等；在训练手臂上的评分也不能说明对患者的情况。</translation>
     </message>
     <message>
-        <source>What this does not show: %1</source>
-        <translation>这不能说明什么：%1</translation>
-    </message>
-    <message>
         <source>All raters gave the same marks: that says nothing about how many are needed, as raters who score by themselves differ.</source>
         <translation>所有评分者给出的分数都相同：这不能说明需要多少评分者，因为独立评分的人总会有差别。</translation>
     </message>
@@ -18629,10 +18613,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Annex: values of the figures</source>
         <translation>附录：各图的数值</translation>
-    </message>
-    <message>
-        <source>The values of these figures are too many to print:</source>
-        <translation>以下各图的数值太多，无法印出：</translation>
     </message>
     <message>
         <source>Training against the plan of the group</source>
@@ -22071,10 +22051,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>见数值表 (CSV)</translation>
     </message>
     <message>
-        <source>A bound beyond the scale of the marks stands for the end of the scale.</source>
-        <translation>超出评分量表的界限即指量表的端点。</translation>
-    </message>
-    <message>
         <source>Planned with the cohort: a difference of at most %1 points does not matter.</source>
         <translation>随批次计划规定：不超过 %1 分的差异无关紧要。</translation>
     </message>
@@ -22193,6 +22169,98 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Let the content out before you turn the organ.</source>
         <translation>转动器官之前先排出内容物。</translation>
+    </message>
+    <message>
+        <source>The values of these figures are too many to print: %1.</source>
+        <translation>以下各图的数值太多，无法印出：%1。</translation>
+    </message>
+    <message>
+        <source>Fewer than 1 in 2000</source>
+        <translation>每 2000 名中不到 1 名</translation>
+    </message>
+    <message>
+        <source>fewer than 1 in 2000</source>
+        <translation>每 2000 名中不到 1 名</translation>
+    </message>
+    <message>
+        <source>About 1 in %1</source>
+        <translation>约每 %1 名中有 1 名</translation>
+    </message>
+    <message>
+        <source>about 1 in %1</source>
+        <translation>约每 %1 名中有 1 名</translation>
+    </message>
+    <message>
+        <source>%1 trainees who fail %2 of their runs are declared competent by chance, and %3 who fail only %4 are not.</source>
+        <translation>失败率为 %2 的学员，%1会偶然被判为胜任；失败率仅为 %4 的学员，%3不会被判为胜任。</translation>
+    </message>
+    <message>
+        <source>Greenhouse-Geisser epsilon %1.</source>
+        <translation>Greenhouse-Geisser ε 为 %1。</translation>
+    </message>
+    <message>
+        <source>The interaction is the question: whether the groups take different courses. %1</source>
+        <translation>关键是交互作用：各组的进程是否不同。%1</translation>
+    </message>
+    <message>
+        <source>People: %1 {trainee|trainees} in %2 {group|groups}, %3 of them compared at the end, %4 of them withdrew; %5 {physician|physicians} gave %6 {mark|marks}; %7 {deviation from the protocol was|deviations from the protocol were} reported.</source>
+        <translation>人员：%1 名学员分为 %2 组，其中 %3 名参与末次比较，%4 名退出；%5 名医师给出 %6 个分数；报告了 %7 次方案偏离。</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1：%2 %3</translation>
+    </message>
+    <message>
+        <source>no run judged</source>
+        <translation>无经评判的操作</translation>
+    </message>
+    <message>
+        <source>for a score before below %1</source>
+        <translation>训练前得分低于 %1 时</translation>
+    </message>
+    <message>
+        <source>for a score before above %1</source>
+        <translation>训练前得分高于 %1 时</translation>
+    </message>
+    <message>
+        <source>Exercise: %1.</source>
+        <translation>练习：%1。</translation>
+    </message>
+    <message>
+        <source>Design: %1.</source>
+        <translation>标准：%1。</translation>
+    </message>
+    <message>
+        <source>Of %2 {mark|marks} of the first and the last occasion %1 {is|are} missing</source>
+        <translation>首末两个评分时点的 %2 个评分中缺失 %1 个</translation>
+    </message>
+    <message>
+        <source>Limits for repeated measures: plus and minus %2 points, 1.96 standard deviations of one rater&apos;s mark about the mean of %1 others, from the variances of raters and rest over all trainees.</source>
+        <translation>重复测量的界限：正负 %2 分，即单个评分者的评分相对于另外 %1 名评分者均值的 1.96 个标准差，由全体学员的评分者方差和残差方差得出。</translation>
+    </message>
+    <message>
+        <source>What this does not show: marks on a training arm say nothing about patients.</source>
+        <translation>这不能说明什么：在训练手臂上的评分不能说明对患者的情况。</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1，%2：%3</translation>
+    </message>
+    <message>
+        <source>rater %1</source>
+        <translation>评分者 %1</translation>
+    </message>
+    <message>
+        <source>the thresholds</source>
+        <translation>各阈值</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1和%2</translation>
+    </message>
+    <message>
+        <source>How often is this wrong?</source>
+        <translation>这有多大可能判错？</translation>
     </message>
 </context>
 <context>
