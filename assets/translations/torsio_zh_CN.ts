@@ -6094,7 +6094,7 @@
     </message>
     <message>
         <source>Error left in the end (deg)</source>
-        <translation>最终残余误差 (°)</translation>
+        <translation>最终残余误差（°）</translation>
     </message>
     <message>
         <source>Evaluated models</source>
@@ -6298,11 +6298,11 @@
     </message>
     <message>
         <source>Mean absolute angle error (deg)</source>
-        <translation>平均绝对角度误差 (°)</translation>
+        <translation>平均绝对角度误差（°）</translation>
     </message>
     <message>
         <source>Mean error, first half (deg)</source>
-        <translation>前半程平均误差 (°)</translation>
+        <translation>前半程平均误差（°）</translation>
     </message>
     <message>
         <source>Mean of raters, by class weight</source>
@@ -6490,7 +6490,7 @@
     </message>
     <message>
         <source>Rest in all (min)</source>
-        <translation>休息合计 (min)</translation>
+        <translation>休息合计（min）</translation>
     </message>
     <message>
         <source>Rest stops the clock of the training phases.</source>
@@ -6522,7 +6522,7 @@
     </message>
     <message>
         <source>Second half (deg)</source>
-        <translation>后半程 (°)</translation>
+        <translation>后半程（°）</translation>
     </message>
     <message>
         <source>Second organ</source>
@@ -6794,7 +6794,7 @@
     </message>
     <message>
         <source>absolute angle error (deg)</source>
-        <translation>绝对角度误差 (°)</translation>
+        <translation>绝对角度误差（°）</translation>
     </message>
     <message>
         <source>after %1 min</source>
@@ -7158,7 +7158,7 @@
     </message>
     <message>
         <source>p (Holm)</source>
-        <translation>p (Holm)</translation>
+        <translation>p（Holm）</translation>
     </message>
     <message>
         <source>p (exact)</source>
@@ -10434,11 +10434,11 @@
     </message>
     <message>
         <source>Real, planned (min)</source>
-        <translation>真实，计划（min）</translation>
+        <translation>实物手臂，计划（min）</translation>
     </message>
     <message>
         <source>Real, mean noted (min)</source>
-        <translation>真实，平均登记（min）</translation>
+        <translation>实物手臂，平均登记（min）</translation>
     </message>
     <message>
         <source>no plan</source>
@@ -18324,11 +18324,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Answer, adjusted for the score before, with the 95 % interval and the p value of each pair after Holm: %1.</source>
-        <translation>答案（已按训练前分数调整，附每一对经 Holm 校正的 95 % 区间和 p 值）：%1。</translation>
+        <translation>答案（已按训练前得分调整，附每一对经 Holm 校正的 95 % 区间和 p 值）：%1。</translation>
     </message>
     <message>
         <source>Answer: no difference between two groups was shown. The largest, adjusted for the score before, with the 95 % interval and the p value after Holm: %1. The interval of every pair includes zero.</source>
-        <translation>答案：未显示出任何两组之间的差异。其中最大的差异（已按训练前分数调整，附经 Holm 校正的 95 % 区间和 p 值）：%1。每一对的区间都包含零。</translation>
+        <translation>答案：未显示出任何两组之间的差异。其中最大的差异（已按训练前得分调整，附经 Holm 校正的 95 % 区间和 p 值）：%1。每一对的区间都包含零。</translation>
     </message>
     <message>
         <source>Groups: how trainees came into them is not in the record. Nothing shows that they were drawn at random, so a difference need not be an effect of the training.</source>
@@ -20700,7 +20700,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Scores vary more in some groups than in others (standard deviations about the adjusted means from %1 to %2 points, test of equal spread: %3)</source>
-        <translation>各组成绩的离散程度不同（围绕调整均值的标准差为 %1 至 %2 分，等离散性检验：%3）</translation>
+        <translation>各组得分的离散程度不同（围绕调整均值的标准差为 %1 至 %2 分，等离散性检验：%3）</translation>
     </message>
     <message>
         <source>%1. The standard errors of the answer allow for that (HC3).</source>
@@ -20708,11 +20708,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Question: do the scores at the end (%1) differ between trainees who trained in different ways: %2?</source>
-        <translation>问题：以不同方式训练的学员，其末次成绩（%1）是否不同：%2？</translation>
+        <translation>问题：以不同方式训练的学员，其末次得分（%1）是否不同：%2？</translation>
     </message>
     <message>
         <source>%1 {trainee has|trainees have} no score at one of the two ends and {is|are} not compared; everybody else is compared in the group in which the record has them.</source>
-        <translation>%1 名学员首次或末次没有成绩，不参与比较；其余人均按记录中所在的组进行比较。</translation>
+        <translation>%1 名学员首次或末次没有得分，不参与比较；其余人均按记录中所在的组进行比较。</translation>
     </message>
     <message>
         <source>Everybody is compared in the group to which they were allocated (intention to treat).</source>
@@ -20740,7 +20740,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>%1, %2 {trainee|trainees} scored</source>
-        <translation>%1，%2 名学员有成绩</translation>
+        <translation>%1，%2 名学员有得分</translation>
     </message>
     <message>
         <source>The linear mixed model corrects for the severity of a rater only as far as the same rater scored several groups.</source>
@@ -20752,7 +20752,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>%1 %2, so the linear mixed model is the primary comparison here: it uses every mark at the end of everybody who also has one before. The analysis of covariance is shown beside it, for the %3 {trainee|trainees} with a score at both occasions.</source>
-        <translation>%1 %2，因此此处以线性混合模型为主要比较：凡训练前也有评分的学员，其全部末次评分均予采用。协方差分析一并列出，针对两个时点均有成绩的 %3 名学员。</translation>
+        <translation>%1 %2，因此此处以线性混合模型为主要比较：凡训练前也有评分的学员，其全部末次评分均予采用。协方差分析一并列出，针对两个时点均有得分的 %3 名学员。</translation>
     </message>
     <message>
         <source>D12 slice %1 has %2 {bit|bits} a value, %3 {value|values} a pixel and the colours %4; 16, 1 and MONOCHROME2 are read</source>
@@ -21192,11 +21192,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Planned and used: the analysis of covariance of the score at the end on the score before. %1</source>
-        <translation>计划并采用：以训练前成绩为协变量的末次成绩协方差分析。%1</translation>
+        <translation>计划并采用：以训练前得分为协变量的末次得分协方差分析。%1</translation>
     </message>
     <message>
         <source>Used: the analysis of covariance of the score at the end on the score before. %1 No plan of the analysis is in the record.</source>
-        <translation>采用：以训练前成绩为协变量的末次成绩协方差分析。%1记录中没有分析计划。</translation>
+        <translation>采用：以训练前得分为协变量的末次得分协方差分析。%1记录中没有分析计划。</translation>
     </message>
     <message>
         <source>What this does not show: with the spread found here, this comparison detects a difference of %1 points between two groups with a power of %2 (two-sided test at 5 %, shared among the pairs as in Holm&apos;s first step), and misses smaller ones more often. %3</source>
@@ -22040,7 +22040,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>by a seed that was sealed, with its hash, before the first allocation</source>
-        <translation>种子在首次分组前连同其散列值一起密封</translation>
+        <translation>种子在首次分组前连同其哈希值一起密封</translation>
     </message>
     <message>
         <source>%1 of %2 {mark was|marks were} given on sheets, whose raters do not see each other&apos;s marks before submitting</source>
