@@ -20128,11 +20128,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>this record has moved to %1 and takes nothing new</source>
-        <translation>此记录已迁到 %1，不再接收新内容</translation>
+        <translation>本记录已迁移到 %1，不再接收新内容</translation>
     </message>
     <message>
         <source>Work with the record there; an administrator can take the move back</source>
-        <translation>请在新位置使用记录；管理员可以撤回迁移</translation>
+        <translation>请使用那里的记录；管理员可以撤回迁移</translation>
     </message>
     <message>
         <source>%1: %2 &quot;%3&quot; looks like a number that a spreadsheet has shortened</source>
@@ -20440,11 +20440,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>This record has moved to %1 and takes nothing new: work with the record there</source>
-        <translation>本记录已迁移到 %1，不再接受新内容：请在那里的记录中工作</translation>
+        <translation>本记录已迁移到 %1，不再接收新内容：请使用那里的记录</translation>
     </message>
     <message>
         <source>This record is being moved to %1 and takes nothing new meanwhile</source>
-        <translation>本记录正在迁移到 %1，在此期间不接受新内容</translation>
+        <translation>本记录正在迁移到 %1，在此期间不接收新内容</translation>
     </message>
     <message>
         <source>this record is being moved</source>

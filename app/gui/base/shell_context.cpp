@@ -8,6 +8,7 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/services/access/database_away.h"
+#include "app/services/access/move_notice.h"
 #include "app/services/recording/station_writer.h"
 
 namespace torsio::gui {
@@ -45,6 +46,7 @@ bool ShellContext::may(Operation operation) {
 
 void ShellContext::readRights() {
   const Actor& actor = session_.actor();
+  const bool living = moveNotice(session_.connectionWithoutRight()).empty();
   std::set<Operation> rights;
   // A guest has no account and may only practise.
   if (actor.practiceOnly && actor.userId.empty()) {
@@ -52,7 +54,7 @@ void ShellContext::readRights() {
   }
   for (std::size_t i = 0; i < kOperationCodes.size(); ++i) {
     const auto operation = static_cast<Operation>(i);
-    if (session_.may(operation)) {
+    if (session_.may(operation) && (living || !addsToTheRecord(operation))) {
       rights.insert(operation);
     }
   }

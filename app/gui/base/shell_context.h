@@ -59,8 +59,8 @@ class ShellContext : public QObject {
   [[nodiscard]] ThemeKind themeKind() const noexcept { return theme_; }
   void setThemeKind(ThemeKind kind);
 
-  /// Returns whether the actor had this right when the rights were last read, for showing and enabling
-  /// controls. Does not access the database; the services check again. A guest may practise.
+  /// Whether the actor had this right when rights were last read, to show and enable controls; of a moved
+  /// record only what adds nothing. Does not access the database, services check again. A guest may practise.
   [[nodiscard]] bool may(Operation operation);
   /// Reads the actor's rights: at sign-in, and to be called after roles may have changed. Throws DbError.
   void readRights();

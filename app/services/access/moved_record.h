@@ -5,7 +5,6 @@
 #include <string>
 
 #include "app/services/access/move_notice.h"
-#include "app/services/access/operation.h"
 #include "app/services/access/session_context.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/core/text.h"
@@ -30,10 +29,6 @@ void noteMoving(SessionContext& session, const std::string& locator);
 void finishMove(Connection& connection, const std::string& place, std::int64_t utc_us);
 /// Removes the mark of a begun move: from the copy, or because it was given up.
 void clearMoving(Connection& connection, std::int64_t utc_us);
-
-/// Returns whether an operation would add something that the moved record would not have. Reading, backups,
-/// exports, the trail and erasing people stay possible.
-[[nodiscard]] bool addsToTheRecord(Operation operation);
 
 /// Ends a move that noteMoving() began, when the copy is whole: the services go on refusing what would add to
 /// the record, at every station. kDatabaseRestore.

@@ -114,11 +114,15 @@ OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId)
 std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId, Sheet sheet,
                        const WatchLog& watched) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  Transaction transaction(session.connection());
+  SheetRepository sheets(session.connection());
+  if (sheets.stateOf(assignmentId) == SheetState::kSubmitted) {
+    throw SheetSealed(assignment.caseLabel);
+  }
   requireCalled(session, assignment);
   sheet.changedUtc_us = session.now_us();
   requireSheetWords(sheet, assignment.caseLabel);
-  Transaction transaction(session.connection());
-  const std::int64_t revision = SheetRepository(session.connection()).saveDraft(assignmentId, sheet);
+  const std::int64_t revision = sheets.saveDraft(assignmentId, sheet);
   DeskRepository desk(session.connection());
   WatchLog all = watched;
   if (const auto seen = desk.draftViewing(assignmentId)) {
@@ -261,10 +265,12 @@ OpenedSheet reportViewing(SessionContext& session, const AssignmentId& assignmen
   OpenedSheet opened = openSheet(session, assignmentId);
   const Text where = Text::tr("case %1", opened.shown.label);
   const std::vector<PlayedStretch> stretches = playable(played, rules, where);
-  if (opened.shown.live || opened.state == SheetState::kSubmitted) {
-    refuse(opened.shown.live ? Text::tr("this case is scored live and has no recording")
-                             : Text::tr("the sheet was submitted already"),
-           where, Text::tr("Read the queue again"));
+  if (opened.state == SheetState::kSubmitted) {
+    throw SheetSealed(opened.shown.label);
+  }
+  if (opened.shown.live) {
+    refuse(Text::tr("this case is scored live and has no recording"), where,
+           Text::tr("Read the queue again"));
   }
   opened.watched = watchedInBrowser(session, assignmentId.text(), std::move(opened.watched), stretches);
   DeskRepository(session.connection()).saveDraftViewing(assignmentId, opened.watched.stored());

@@ -44,7 +44,7 @@ struct OpenedSheet {
 
 /// Stores the draft; on disk when the call returns. Call it with every keystroke. Returns the new revision.
 /// Drafts are not audited: they are not part of the record until submitted. kMarkSubmit, the actor's case.
-/// Throws DbError{kConflict} if the draft was changed at another station.
+/// Throws DbError{kConflict} if the draft was changed at another station, SheetSealed if it was submitted.
 std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId, Sheet sheet,
                        const WatchLog& watched);
 
@@ -64,7 +64,7 @@ std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId
 /// Throws Error{kBadData} if too little of the recording was watched, or at a speed that is not allowed.
 void requireWatched(const SheetCheck& check, const Text& where);
 
-/// The sheet to be sealed is sealed already, by an earlier or a simultaneous submission. kBadData.
+/// The sheet is sealed already, by an earlier or a simultaneous submission. kBadData.
 class SheetSealed : public Error {
  public:
   explicit SheetSealed(const std::string& caseLabel);

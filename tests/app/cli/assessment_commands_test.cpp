@@ -16,6 +16,7 @@
 
 #include "app/services/base/assets.h"
 #include "app/services/recording/recorded_run.h"
+#include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/record/trial_file.h"
 #include "tests/app/cli/table_commands.h"
@@ -436,10 +437,11 @@ TEST_F(AssessmentCommands, CompetenceSimulatesTheRuleBesideThePrintedRates) {
   expectRefused("competence simulate --design " + write("zero.json", R"({"limit": 0})"), {"limit"});
 }
 
-Scene shippedScene(const std::string& id) {
+Scene shippedScene(const std::string& id, const std::string& pattern = {}) {
   SceneRequest request;
   request.assets = assetsFolder();
   request.id = id;
+  request.pattern = pattern;
   return loadScene(request);
 }
 
@@ -498,6 +500,18 @@ TEST_F(AssessmentCommands, MetricsReportHowLongACurvedOrganWasStrained) {
   EXPECT_GT(beyondTenth_s, beyondHalf_s);
   EXPECT_LT(beyondTenth_s, 10.0);
   EXPECT_EQ(overLimit_s(10.0 * atTarget_Pa), 0.0);  // this run never reaches ten times as much
+}
+
+TEST_F(AssessmentCommands, MetricsOfAnUntwistingSayWhichLimitOfItsWallItPasses) {
+  const Scene scene = shippedScene("sigmoid", "detorse");
+  const fs::path file = folder_ / "sigmoid.bin";
+  recordTrial(scene, 2.0, file);
+
+  const json wall = answer("metrics " + file.string())["detorsion"];
+
+  EXPECT_EQ(wall.at("valid"), false) << "it comes turned by more than 104 degrees";
+  EXPECT_NEAR(degrees(wall.at("valid_to_rad").get<double>()), 104.0, 1.5);
+  EXPECT_NE(wall.at("beyond").get<std::string>().find("folds are checked up to 0.5"), std::string::npos);
 }
 
 TEST_F(AssessmentCommands, MetricsOfUnknownTrialsAreRejected) {

@@ -229,6 +229,19 @@ TEST(RodTwist, AWallWithoutBalanceIsTold) {
   }
 }
 
+TEST(RodTwist, ASigmoidIsValidUpToTheTurnAtWhichItsWallWasCheckedAndSaysWhatEndsIt) {
+  const fs::path scratch = emptyFolder("sigmoid");
+  const std::string call = "--organ sigmoid --pattern detorse --angle ";
+
+  const nlohmann::json before = resultOf(call + "100", scratch);
+  const nlohmann::json after = resultOf(call + "110", scratch);
+
+  EXPECT_EQ(before["valid"], true);
+  EXPECT_EQ(before.count("beyond"), 0U);
+  EXPECT_EQ(after["valid"], false);
+  EXPECT_NE(after["beyond"].get<std::string>().find("folds are checked up to 0.5"), std::string::npos);
+}
+
 TEST(RodTwist, ATaskAboutTheOwnAxisHasItsWholeTurnsOrIsRejected) {
   const fs::path scratch = emptyFolder("turns");
 

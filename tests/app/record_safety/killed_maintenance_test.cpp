@@ -390,7 +390,8 @@ TEST_F(KilledMaintenance, TheRolesOfAServerAreWrittenCompletelyOrNotAtAll) {
         EXPECT_TRUE(isSound(record));
       }};
   killEverywhere(cut);
-  EXPECT_NE(run(cut.arguments).out.find("1 kiosk card and 0 invitations of an earlier version"), std::string::npos);
+  EXPECT_NE(run(cut.arguments).out.find("1 kiosk card and 0 invitations of an earlier version"),
+            std::string::npos);
   Connection connection = open();
   connection.executeVerbatim("DROP OWNED BY " + role);
   connection.executeVerbatim("DROP ROLE " + role);

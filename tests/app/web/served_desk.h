@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <barrier>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -90,6 +95,47 @@ inline nlohmann::json sheetBody(std::int64_t revision, int time, int accuracy, i
             {{"code", "accuracy"}, {"score_steps", accuracy}, {"not_assessable", ""}}}},
           {"overall_steps", overall},
           {"comment", ""}};
+}
+
+/// Watches the whole recording of a case, half a second long.
+inline void watchWhole(WebClient& client, const std::string& path) {
+  (void)client.get(path);
+  EXPECT_EQ(client
+                .send("POST", path + "/viewing",
+                      {{"played", {{{"from_us", 0}, {"to_us", 500'000}, {"speed", 1.0}}}}})
+                .status,
+            200)
+      << path;
+}
+
+/// Sends the same from every page of a rater at the same moment. `paths`: of the case, in the session of
+/// each.
+inline std::vector<DeskAnswer> sentAtOnce(std::vector<WebClient>& pages,
+                                          const std::vector<std::string>& paths, const std::string& act,
+                                          const nlohmann::json& body) {
+  std::vector<DeskAnswer> answers(pages.size());
+  std::barrier together(static_cast<std::ptrdiff_t>(pages.size()));
+  std::vector<std::thread> pressing;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    pressing.emplace_back([&, i] {
+      together.arrive_and_wait();
+      answers[i] = pages[i].send("POST", paths[i] + act, body);
+    });
+  }
+  for (std::thread& one : pressing) {
+    one.join();
+  }
+  return answers;
+}
+
+/// Submits a case from two pages at once: one sheet is sealed, and the other page is told so.
+inline void submitTwiceAtOnce(std::vector<WebClient>& pages, const std::vector<std::string>& paths) {
+  const std::vector<DeskAnswer> answers =
+      sentAtOnce(pages, paths, "/submit", {{"sheet", sheetBody(0, 70, 80, 75)}});
+  const std::string said = answers.front().body + answers.back().body;
+  EXPECT_EQ(std::min(answers.front().status, answers.back().status), 200) << said;
+  EXPECT_EQ(std::max(answers.front().status, answers.back().status), 400) << said;
+  EXPECT_NE(said.find("this sheet is sealed already"), std::string::npos) << said;
 }
 
 /// Path of a route with `handle` in place of each `*`.

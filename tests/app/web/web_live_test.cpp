@@ -151,6 +151,23 @@ TEST_F(WebLive, TheAdministratorCallsRemindsAndEnds) {
   EXPECT_TRUE(reminder.at("text").get<std::string>().ends_with(codes)) << reminder;
 }
 
+TEST_F(WebLive, ASealedSheetSubmittedAgainOrAtOnceIsSaidToBeSealed) {
+  ASSERT_EQ(call("TR-4100").status, 200);
+  std::vector<WebClient> pages{served.physician(0), served.physician(0)};
+  std::vector<std::string> paths;
+  for (WebClient& page : pages) {
+    paths.push_back("/api/cases/" +
+                    page.get("/api/live").json().at("lines")[0].at("case").get<std::string>());
+  }
+
+  submitTwiceAtOnce(pages, paths);
+
+  const DeskAnswer again = pages[0].send("POST", paths[0] + "/submit", {{"sheet", sheetBody(0, 70, 80, 75)}});
+  EXPECT_EQ(again.status, 400) << again.body;
+  EXPECT_NE(again.body.find("this sheet is sealed already"), std::string::npos) << again.body;
+  EXPECT_EQ(office.get(cohort + "/calls").json().at("calls")[0].at("submitted"), 1);
+}
+
 TEST_F(WebLive, AWithdrawnCallClosesTheSheetAndKeepsTheDraft) {
   ASSERT_EQ(call("TR-4100").status, 200);
   WebClient rater = served.physician(0);

@@ -275,8 +275,7 @@ void MaintenancePage::askTakeBack() {
   if (reason) {
     attempt(shell(), [&] {
       takeBackMove(shell().session(), *reason);
-      read();
-      shell().notify(tr("This record is the living one again"));
+      shell().changeRecord({.sentence = tr("This record is the living one again")});
     });
   }
 }

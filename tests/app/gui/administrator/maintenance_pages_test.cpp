@@ -255,6 +255,46 @@ TEST_F(MaintenancePages, AMovedRecordSaysSoAndOffersToTakeTheMoveBack) {
   EXPECT_TRUE(says(QStringLiteral("has moved to postgresql://server/torsio")));
 }
 
+TEST_F(MaintenancePages, OfAMovedRecordOnlyPagesOpenThatAddNothingToIt) {
+  {
+    Connection connection = openRecord(record(), OpenMode::kReadWrite);
+    finishMove(connection, "postgresql://server/torsio", 1);
+  }
+  ASSERT_TRUE(window_->signOut());
+  signIn();
+
+  for (const PageId page : {PageId::kTodaysSessions, PageId::kUsers, PageId::kDevices}) {
+    EXPECT_FALSE(window_->desk()->open(page)) << pageTitle(page).toStdString();
+  }
+  for (const PageId page : {PageId::kRoster, PageId::kAudit, PageId::kMaintenance}) {
+    EXPECT_TRUE(window_->desk()->open(page)) << pageTitle(page).toStdString();
+  }
+  EXPECT_TRUE(failures_.isEmpty()) << failures_.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST_F(MaintenancePages, AMoveThatIsTakenBackLeavesNoLineAndEveryPage) {
+  {
+    Connection connection = openRecord(record(), OpenMode::kReadWrite);
+    finishMove(connection, "postgresql://server/torsio", 1);
+  }
+  ASSERT_TRUE(window_->signOut());
+  signIn();
+  auto& line = child<QLabel>(*window_, "movedRecord");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return line.isVisible(); }, 20'000));
+
+  testing::answer(testing::giveReason);
+  child<QPushButton>(maintenancePage(), "takeBackMove").click();
+  QTRY_COMPARE_WITH_TIMEOUT(testing::screenOf(*window_), QStringLiteral("sign-in"), 5'000);
+  testing::waitFor(window_->background());
+
+  EXPECT_TRUE(says(QStringLiteral("This record is the living one again")));
+  EXPECT_FALSE(line.isVisible());
+  EXPECT_TRUE(contains(trail(record()), "database.move-given-up"));
+  signIn();
+  EXPECT_TRUE(window_->desk()->open(PageId::kUsers));
+  EXPECT_FALSE(line.isVisible());
+}
+
 TEST_F(MaintenancePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
   maintenancePage().backUp(in("backup.sqlite"));
   context().waitForJobs();

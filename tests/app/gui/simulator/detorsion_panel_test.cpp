@@ -19,6 +19,7 @@
 #include "sim/core/angle.h"
 #include "sim/scene/hollow_organ.h"
 #include "tests/sim/servo/bar_scene.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio::gui {
 namespace {
@@ -271,13 +272,8 @@ TEST_F(UntwistingPanel, IsHiddenForASceneWithoutUntwisting) {
   EXPECT_TRUE(panel_.isHidden());
 }
 
-TEST(ValidityBox, ShowsTheTextOfItsScene) {
-  Detorsion stated = twistedTube();
-  stated.validity = "The torque is measured. The blood flow is assumed.";
-  const Scene scene = hollowScene(stated);
-  ValidityButton button;
-  button.setScene(&scene);
-  const bool shown = !button.isHidden();
+/// What the button tells when it is pressed.
+QString toldBy(ValidityButton& button) {
   QString told;
   QTimer::singleShot(0, &button, [&told] {
     auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
@@ -285,8 +281,29 @@ TEST(ValidityBox, ShowsTheTextOfItsScene) {
     told = box->text();
     box->reject();
   });
-
   button.click();
+  return told;
+}
+
+TEST(ValidityBox, SaysUpToWhichTurnTheWallOfASigmoidWasChecked) {
+  ValidityButton button;
+  button.setScene(&torsio::testing::twistedOrgan("sigmoid"));
+
+  const QString told = toldBy(button);
+
+  EXPECT_TRUE(told.contains(QStringLiteral("104"))) << told.toStdString();
+  EXPECT_TRUE(told.contains(QStringLiteral("folds are checked up to 0.5"))) << told.toStdString();
+}
+
+TEST(ValidityBox, ShowsTheTextOfItsScene) {
+  Detorsion stated = twistedTube();
+  stated.validity = "The torque is measured. The blood flow is assumed.";
+  const Scene scene = hollowScene(stated);
+  ValidityButton button;
+  button.setScene(&scene);
+  const bool shown = !button.isHidden();
+
+  const QString told = toldBy(button);
 
   EXPECT_TRUE(shown);
   EXPECT_TRUE(told.startsWith(QStringLiteral("The torque is measured. The blood flow is assumed.")))
