@@ -116,7 +116,7 @@ std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   Transaction transaction(session.connection());
   SheetRepository sheets(session.connection());
-  if (sheets.stateOf(assignmentId) == SheetState::kSubmitted) {
+  if (sheets.submitted(assignmentId)) {
     throw SheetSealed(assignment.caseLabel);
   }
   requireCalled(session, assignment);
