@@ -16,7 +16,7 @@ import threading
 import time
 
 from live_day_test import RATERS, TRAINEE, Postgres, Rater, Server, centre
-from real_desk_test import check
+from real_desk_test import PASSWORD, check
 from webdriver import Failed
 
 PATIENCE_S = 60
@@ -88,7 +88,8 @@ class Saving(Client):
         rows = self.answer("GET", path)[1]["rubric"]["rows"]
         whole = {**sheet, "rows": [{"code": row["code"], "score_steps": 60 + 10 * i, "not_assessable": ""}
                                    for i, row in enumerate(rows)]}
-        status, answer = self.answer("POST", f"{path}/submit", {"sheet": whole})
+        # Signing asks for the password again half an hour after it was typed.
+        status, answer = self.answer("POST", f"{path}/submit", {"sheet": whole, "password": PASSWORD})
         if status != 200:
             raise Failed(f"not submitted: {status} {answer}")
 
