@@ -166,7 +166,7 @@ TEST(CohortReport, OneMissingMarkExcludesNobody) {
   EXPECT_EQ(tableNamed(report, "table-missing")->rows[0][0].str(), whose);
   EXPECT_EQ(tableNamed(report, "table-missing")->rows[0][4].str(), "yes");
   EXPECT_THAT(paragraphsOf(report),
-              ::testing::HasSubstr("1 of 600 marks of the first and the last occasion are "
+              ::testing::HasSubstr("Of 600 marks of the first and the last occasion 1 is "
                                    "missing, so the linear mixed model is the primary"));
   EXPECT_THAT(paragraphsOf(report), ::testing::Not(::testing::HasSubstr("Left out of both")));
   ASSERT_NE(figureNamed(report, "figure-differences"), nullptr);

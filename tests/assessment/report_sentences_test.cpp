@@ -132,7 +132,7 @@ TEST(ReportSentences, RecordedPlannedAndNotedTrainingTimesAreReported) {
   ASSERT_NE(table, nullptr);
   EXPECT_EQ(table->rows.at(0).at(2), "40.0");
   EXPECT_EQ(table->rows.at(0).at(3), "38.5");
-  EXPECT_EQ(table->rows.at(0).at(4), "0.33");
+  EXPECT_EQ(table->rows.at(0).at(4), "0.3");
   EXPECT_THAT(saidBy(in), HasSubstr("Recordings make up 0.9 % of the time noted"));
   EXPECT_EQ(table->provenance.formula, "plan of the arms; times noted; lengths of the recordings");
 }
