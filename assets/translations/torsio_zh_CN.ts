@@ -7158,7 +7158,7 @@
     </message>
     <message>
         <source>p (Holm)</source>
-        <translation>p（Holm）</translation>
+        <translation>p (Holm)</translation>
     </message>
     <message>
         <source>p (exact)</source>
