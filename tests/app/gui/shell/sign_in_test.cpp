@@ -208,7 +208,7 @@ TEST_F(Shell, AFieldHasFocusFromTheStartAndAfterAWrongPassword) {
     EXPECT_FALSE(button->isVisible() && button->isEnabled())
         << "an impatient key would press " << button->text().toStdString();
   }
-  EXPECT_TRUE(QTest::qWaitFor([this] { return !window_->background().working(); }, 60'000));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !window_->background().working(); }, 300'000));
 }
 
 TEST_F(Shell, EnterPressesTheFocusedButton) {
@@ -416,7 +416,7 @@ TEST_F(Shell, WhoLooksRoundHasTimeAndIsToldWhenTheSampleIsGone) {
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   press(*window_, QStringLiteral("As a trainee"));
   ASSERT_TRUE(
-      QTest::qWaitFor([this] { return testing::screenOf(*window_) == QStringLiteral("desk"); }, 60'000));
+      QTest::qWaitFor([this] { return testing::screenOf(*window_) == QStringLiteral("desk"); }, 300'000));
   window_->watchIdleness();
 
   clock_.advance_us(20 * kMinute_us);
