@@ -67,7 +67,7 @@ void makeHuge(QLabel* label, double points) {
 }
 
 FoldedText::FoldedText(QWidget* parent)
-    : QWidget(parent), line_(new FoldLine(this)), text_(sentence(this, true)) {
+    : QWidget(parent), line_(new FoldLine(this)), text_(named(sentence(this, true), "folded")) {
   auto* column = bareLayout<QVBoxLayout>(this, 0);
   column->addWidget(line_);
   column->addWidget(text_);
@@ -79,10 +79,6 @@ FoldedText::FoldedText(QWidget* parent)
 void FoldedText::setTexts(const QString& line, const QString& text) {
   line_->setText(line);
   text_->setText(text);
-}
-
-QString FoldedText::text() const {
-  return text_->text();
 }
 
 void showIcon(QLabel* label, const QString& name, const QColor& colour, int size) {

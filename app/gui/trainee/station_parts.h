@@ -44,7 +44,6 @@ class FoldedText : public QWidget {
 
   /// Keeps what is unfolded.
   void setTexts(const QString& line, const QString& text);
-  [[nodiscard]] QString text() const;
 
  private:
   FoldLine* line_;

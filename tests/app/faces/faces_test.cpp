@@ -454,7 +454,7 @@ TEST_F(Faces, ReportAndPdfSayTheVerdictOfEveryRun) {
       ASSERT_EQ(table.rows[i][0].str(), row.trialId.text());
       EXPECT_EQ(inWords(table.rows[i][5]), word) << row.trialId;
       const std::string printed =
-          formatFixed(row.minutes, 2) + " " + word + " " + row.contentHash.substr(0, 16);
+          formatFixed(row.minutes, 1) + " " + word + " " + row.contentHash.substr(0, 16);
       EXPECT_TRUE(pages.contains(QString::fromStdString(printed))) << printed << pages.toStdString();
     }
   });

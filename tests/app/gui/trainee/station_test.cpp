@@ -61,15 +61,9 @@ void expectExplainedLevel(const QLabel& beside, FoldedText& folded) {
     EXPECT_TRUE(beside.text().contains(QString::fromUtf8(part))) << part;
   }
   EXPECT_EQ(folded.findChild<FoldLine*>()->label()->text(), QStringLiteral("How often is this wrong?"));
-  EXPECT_TRUE(folded.text().contains(QStringLiteral("are declared competent within the")));
-  const auto shown = [&folded] {
-    for (const QLabel* label : folded.findChildren<QLabel*>()) {
-      if (label->text() == folded.text()) {
-        return label->isVisibleTo(&folded);
-      }
-    }
-    return false;
-  };
+  const auto* rates = folded.findChild<QLabel*>(QStringLiteral("folded"));
+  EXPECT_TRUE(rates->text().contains(QStringLiteral("are declared competent within the")));
+  const auto shown = [&folded, rates] { return rates->isVisibleTo(&folded); };
   EXPECT_FALSE(shown());
   folded.findChild<QPushButton*>(QStringLiteral("unfold"))->click();
   EXPECT_TRUE(shown());
