@@ -378,15 +378,12 @@ TEST(WebDesk, ACaseIsScoredSavedAndSubmitted) {
 }
 
 TEST(WebDesk, OfTwoSubmissionsAtOnceOneSealsAndTheOtherSaysSo) {
-  constexpr int kCases = 4;
-  const Served served({.raters = 1, .trainees = kCases, .trial_s = 0.5});
+  const Served served({.raters = 1, .trainees = 1, .trial_s = 0.5});
   std::vector<WebClient> tabs{served.physician(0), served.physician(0)};
-  for (int i = 0; i < kCases; ++i) {
-    const std::vector<std::string> paths{"/api/cases/" + firstCase(tabs[0]),
-                                         "/api/cases/" + firstCase(tabs[1])};
-    watchWhole(tabs[0], paths[0]);
-    submitTwiceAtOnce(tabs, paths);
-  }
+  const std::vector<std::string> paths{"/api/cases/" + firstCase(tabs[0]),
+                                       "/api/cases/" + firstCase(tabs[1])};
+  watchWhole(tabs[0], paths[0]);
+  submitTwiceAtOnce(tabs, paths);
 }
 
 TEST(WebDesk, ASealedSheetSubmittedAgainIsSaidToBeSealed) {
