@@ -116,22 +116,6 @@ TEST_F(AwayDatabase, OfTwoSubmissionsAtOnceOneSealsAndTheOtherSaysSo) {
   submitTwiceAtOnce(tabs, paths);
 }
 
-TEST_F(AwayDatabase, OfTwoChangesOfASealedSheetAtOnceBothCountOrOneIsAskedToTryAgain) {
-  constexpr int kChanges = 6;
-  const ServedDesk served(setup());
-  std::vector<WebClient> tabs{served.physician(0), served.physician(0)};
-  const std::vector<std::string> paths{"/api/cases/" + firstCase(tabs[0]),
-                                       "/api/cases/" + firstCase(tabs[1])};
-  watchWhole(tabs[0], paths[0]);
-  ASSERT_EQ(tabs[0].send("POST", paths[0] + "/submit", {{"sheet", sheetBody(0, 70, 80, 75)}}).status, 200);
-  for (int i = 0; i < kChanges; ++i) {
-    for (const DeskAnswer& answer :
-         sentAtOnce(tabs, paths, "/amend", {{"sheet", sheetBody(0, 70, 80, 60 + i)}, {"reason", "a slip"}})) {
-      EXPECT_TRUE(answer.status == 200 || answer.status == 409) << answer.status << answer.body;
-    }
-  }
-}
-
 TEST_F(AwayDatabase, TheDeskSaysThatTheRecordIsAwayAndLogsItOnce) {
   ServedDesk served(setup());
   WebClient rater = served.physician(0);

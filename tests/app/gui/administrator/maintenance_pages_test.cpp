@@ -289,7 +289,7 @@ TEST_F(MaintenancePages, AMoveThatIsTakenBackLeavesNoLineAndEveryPage) {
 
   EXPECT_TRUE(says(QStringLiteral("This record is the living one again")));
   EXPECT_FALSE(line.isVisible());
-  EXPECT_TRUE(contains(trail(record()), "database.move-given-up"));
+  EXPECT_TRUE(contains(trail(record()), "database.move_given_up"));
   signIn();
   EXPECT_TRUE(window_->desk()->open(PageId::kUsers));
   EXPECT_FALSE(line.isVisible());

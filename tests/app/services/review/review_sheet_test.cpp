@@ -3,15 +3,12 @@
 // values without a database. Viewing reports of a remote player and how much of them is accepted; length
 // limits of texts.
 
-#include <atomic>
-#include <barrier>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <random>
 #include <set>
 #include <string>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -225,33 +222,6 @@ TEST(CaseSheet, ASealedSheetSubmittedAgainIsSaidToBeSealed) {
     EXPECT_THROW(submitSheet(*desk, id, reviewSheet(1, 1, 1), WatchLog()), SheetSealed) << live;
     EXPECT_THROW(saveSheet(*desk, id, reviewSheet(1, 1, 1), WatchLog()), SheetSealed) << live;
     EXPECT_EQ(sheetVersions(*desk, id).size(), 1U);
-  }
-}
-
-TEST(CaseSheet, OfTwoSubmissionsAtOnceOneSealsAndTheOtherIsToldSo) {
-  ReviewCentre centre({.trainees = 6, .live = true});
-  ReviewCentre elsewhere(centre.folder());
-  for (const bool live : {false, true}) {
-    for (const AssignmentId& id : centre.cases(0, live)) {
-      std::atomic<int> sealed{0};
-      std::atomic<int> told{0};
-      std::barrier together(2);
-      const auto submit = [&](ReviewCentre& at) {
-        const auto desk = at.physician(0);
-        together.arrive_and_wait();
-        try {
-          submitSheet(*desk, id, reviewSheet(7, 6, 6.5), live ? WatchLog() : whole(2'000'000));
-          ++sealed;
-        } catch (const SheetSealed&) {
-          ++told;
-        }
-      };
-      std::thread other([&] { submit(elsewhere); });
-      submit(centre);
-      other.join();
-      EXPECT_EQ(sealed, 1);
-      EXPECT_EQ(told, 1);
-    }
   }
 }
 
