@@ -377,9 +377,6 @@ TEST_F(KilledMaintenance, TheRolesOfAServerAreWrittenCompletelyOrNotAtAll) {
   {
     Connection connection = openWithSchema();
     const FullRecord rows(connection, "real", false);
-    connection.executeVerbatim(  // of a version that kept another proof
-        "INSERT INTO kiosk_code (id, user_id, code_hash, made_utc_us)"
-        " SELECT 'old', MIN(user_id), 'proof', 1 FROM kiosk_code");
   }
   const std::string schema = parseLocator(locator()).schema;
   const std::string role = "station_" + schema.substr(schema.size() - 8);
@@ -390,9 +387,12 @@ TEST_F(KilledMaintenance, TheRolesOfAServerAreWrittenCompletelyOrNotAtAll) {
         EXPECT_TRUE(isSound(record));
       }};
   killEverywhere(cut);
+  Connection connection = open();
+  connection.executeVerbatim(  // of a version that kept another proof
+      "INSERT INTO kiosk_code (id, user_id, code_hash, made_utc_us)"
+      " SELECT 'old', MIN(user_id), 'proof', 1 FROM kiosk_code");
   EXPECT_NE(run(cut.arguments).out.find("1 kiosk card and 0 invitations of an earlier version"),
             std::string::npos);
-  Connection connection = open();
   connection.executeVerbatim("DROP OWNED BY " + role);
   connection.executeVerbatim("DROP ROLE " + role);
 }
