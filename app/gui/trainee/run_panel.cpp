@@ -303,6 +303,7 @@ void RunPanel::retranslate() {
   end_->setText(tr("&End the run"));
   guideMe_->setText(tr("Guide me"));
   dial_->retranslate();
+  jaw_->clear();  // the next frame says it again
   detorsion_->retranslate();
   validity_->retranslate();
   if (run_ != nullptr) {

@@ -371,35 +371,6 @@ TEST(PdfReport, StatesWhereToFindValuesTooManyToPrint) {
   }
 }
 
-TEST(PdfReport, ALongNarrowTableGoesDownBothColumnsOfItsPage) {
-  ReportModel model = smallReport();
-  ReportTable table;
-  table.id = "table-long";
-  table.title = Text::verbatim("Fifty rows");
-  table.columns = {Text::verbatim("Row"), Text::verbatim("Share")};
-  for (int i = 1; i <= 50; ++i) {
-    table.rows.push_back(
-        {"row" + std::string(i < 10 ? "0" : "") + std::to_string(i), Text::verbatim("50.0 %")});
-  }
-  model.sections.resize(1);
-  model.sections[0].figures.clear();
-  model.sections[0].tables = {table};
-  const fs::path file = freshFolder("folded") / "folded.pdf";
-
-  writePdfReport(model, file);
-
-  QProcess reader;
-  reader.start(QStringLiteral("pdftotext"),
-               {QStringLiteral("-raw"), QString::fromStdString(file.string()), QStringLiteral("-")});
-  ASSERT_TRUE(reader.waitForFinished()) << "pdftotext of poppler-utils";
-  for (const QString& page : QString::fromUtf8(reader.readAllStandardOutput()).split(u'\f')) {
-    EXPECT_EQ(page.contains(QStringLiteral("row01 ")), page.contains(QStringLiteral("row50 ")))
-        << page.toStdString();
-    EXPECT_EQ(page.count(QStringLiteral("Share")), page.contains(QStringLiteral("row01 ")) ? 2 : 0);
-    EXPECT_FALSE(page.contains(QStringLiteral("50.0 %"))) << "a number and its per cent sign stay together";
-  }
-}
-
 TEST(PdfReport, FailsForAMissingFolderAndLeavesNothing) {
   const fs::path folder = freshFolder("missing");
   const fs::path file = folder / "no-such-folder" / "cohort.pdf";
