@@ -170,23 +170,27 @@ Text regionText(const SignificantRegion& region, const Interval& scale) {
   };
   const Text everywhere = Text::tr("for every score before");
   const Text nowhere = Text::tr("for no score before");
+  // Of five texts the one that fits where the two bounds lie on the scale.
+  const auto onScale = [&scale](const Interval& bounds, const Text& beside, const Text& around,
+                                const Text& upperOnly, const Text& lowerOnly, const Text& within) {
+    const auto [lower, upper] = bounds;
+    return lower >= scale.upper || upper <= scale.lower   ? beside
+           : lower <= scale.lower && upper >= scale.upper ? around
+           : lower <= scale.lower                         ? upperOnly
+           : upper >= scale.upper                         ? lowerOnly
+                                                          : within;
+  };
   if (region.inside) {
     const auto [lower, upper] = *region.inside;
-    return lower >= scale.upper || upper <= scale.lower   ? nowhere
-           : lower <= scale.lower && upper >= scale.upper ? everywhere
-           : lower <= scale.lower                         ? below(upper)
-           : upper >= scale.upper                         ? above(lower)
-                                  : Text(Text::tr("for a score before between %1 and %2",
-                                                  formatFixed(lower, 2), formatFixed(upper, 2)));
+    return onScale(
+        *region.inside, nowhere, everywhere, below(upper), above(lower),
+        Text::tr("for a score before between %1 and %2", formatFixed(lower, 2), formatFixed(upper, 2)));
   }
   if (region.outside) {
     const auto [lower, upper] = *region.outside;
-    return lower >= scale.upper || upper <= scale.lower   ? everywhere
-           : lower <= scale.lower && upper >= scale.upper ? nowhere
-           : lower <= scale.lower                         ? above(upper)
-           : upper >= scale.upper                         ? below(lower)
-                                  : Text(Text::tr("for a score before below %1 or above %2",
-                                                  formatFixed(lower, 2), formatFixed(upper, 2)));
+    return onScale(
+        *region.outside, everywhere, nowhere, above(upper), below(lower),
+        Text::tr("for a score before below %1 or above %2", formatFixed(lower, 2), formatFixed(upper, 2)));
   }
   return region.everywhere ? everywhere : nowhere;
 }

@@ -197,7 +197,8 @@ void PageFlow::tableInColumns(const PlainTable& table, const TableLayout& layout
   const auto addColumn = [&](double height_mm) {
     addHeader(table, layout, number, next == 0 ? PdfRole::kHeaderCell : PdfRole::kArtifact);
     double added_mm = 0.0;
-    while (next < table.rows.size() && added_mm + layout.rows_mm[next] <= height_mm) {
+    const std::size_t first = next;  // a row that is higher than a page stands alone
+    while (next < table.rows.size() && (next == first || added_mm + layout.rows_mm[next] <= height_mm)) {
       added_mm += layout.rows_mm[next];
       addRow(table, layout, number, next++);
     }
