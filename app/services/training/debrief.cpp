@@ -127,7 +127,7 @@ Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, 
   out.deviceForce_N = measured.loads.deviceForce_N;
   if (measured.detorsion && rules.detorsion) {
     out.detorsion = detorsionStory(samples, line.times_us, *rules.detorsion, measured.detorsion->metrics);
-    out.missed = missedTargets(out.verdict, *out.detorsion);
+    out.missed = missedTargets(out.verdict, line, *out.detorsion);
     return out;
   }
   out.missed = missedTargets(out.verdict, line, measured);

@@ -184,7 +184,8 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   }
   if (out.detorsion) {
     addMishapsIfKnown(trial.header, samples, assets, scene, *out.detorsion);
-    out.missed = missedTargets(out.verdict, *out.detorsion);  // at a tear, too
+    // At a tear, too.
+    out.missed = missedTargets(out.verdict, Timeline(trial.header, samples), *out.detorsion);
   }
   if (listing.summary) {
     out.earlier = earlierMeasure(session.connection(), listing, rules, measures.values);

@@ -99,12 +99,21 @@ std::optional<Seconds> worstTwist(const TargetCheck& check, Quantity quantity, c
   return found == nullptr ? std::nullopt : std::optional(momentInTwist(quantity, worst, line, run, *found));
 }
 
+/// Returns where the largest load of a whole recording is; empty for other quantities.
+std::optional<Seconds> momentOfLoad(Quantity quantity, const Timeline& line) {
+  const std::size_t all = line.samples.size();
+  const bool force = quantity == Quantity::kPeakForce;
+  if (all == 0 || (!force && quantity != Quantity::kPeakTorque)) {
+    return std::nullopt;
+  }
+  return around(force ? timeOfLargest(line, 0, all, tissueForce_N) : timeOfLargest(line, 0, all, torqueSize));
+}
+
 std::optional<Seconds> momentOfMiss(const TargetCheck& check, Quantity quantity, const Timeline& line,
                                     const MeasuredTrial& run) {
   const auto release = [&](const MeasuredTwist* twist) {
     return twist == nullptr ? std::nullopt : std::optional(around(twist->letGo_s));
   };
-  const std::size_t all = line.samples.size();
   switch (quantity) {
     case Quantity::kOnTarget:
     case Quantity::kTargetsReached:
@@ -114,22 +123,40 @@ std::optional<Seconds> momentOfMiss(const TargetCheck& check, Quantity quantity,
     case Quantity::kShortestHold:
       return release(check.value ? shortestHold(run) : farthestMiss(run));
     case Quantity::kPeakForce:
-      return all == 0 ? std::nullopt : std::optional(around(timeOfLargest(line, 0, all, tissueForce_N)));
     case Quantity::kPeakTorque:
-      return all == 0 ? std::nullopt : std::optional(around(timeOfLargest(line, 0, all, torqueSize)));
+      return momentOfLoad(quantity, line);
     default:
       return worstTwist(check, quantity, line, run);
   }
 }
 
-/// Tells for each check that was missed what `find` finds.
-template <typename Find>
-std::vector<std::optional<MissedTarget>> forMissed(const RunVerdict& verdict, Find&& find) {
+/// Returns what is new in `missed` after `earlier` ones: each advice is given once, and each moment with it.
+std::optional<MissedTarget> newIn(MissedTarget missed,
+                                  const std::vector<std::optional<MissedTarget>>& earlier) {
+  const auto told = std::find_if(earlier.begin(), earlier.end(),
+                                 [&missed](const auto& one) { return one && one->advice == missed.advice; });
+  if (told == earlier.end()) {
+    return missed;
+  }
+  if ((*told)->when == missed.when) {
+    return std::nullopt;
+  }
+  missed.advice = {};
+  return missed;
+}
+
+/// Tells for each check that was missed what `momentOf` finds, with the advice of its quantity.
+template <typename MomentOf>
+std::vector<std::optional<MissedTarget>> forMissed(const RunVerdict& verdict, MomentOf&& momentOf) {
   std::vector<std::optional<MissedTarget>> all;
   for (const TargetCheck& check : verdict.checks) {
     const bool lost = verdict.torn && !check.value;
-    all.push_back(check.passed || lost || !check.quantity ? std::nullopt
-                                                          : std::optional(find(check, *check.quantity)));
+    std::optional<MissedTarget> missed;
+    if (!check.passed && !lost && check.quantity) {
+      const Quantity quantity = *check.quantity;
+      missed = newIn({momentOf(check, quantity), Text(rowOf(quantity).traits.advice)}, all);
+    }
+    all.push_back(missed);
   }
   return all;
 }
@@ -269,19 +296,16 @@ Seconds momentInTwist(Quantity quantity, double value, const Timeline& line, con
 std::vector<std::optional<MissedTarget>> missedTargets(const RunVerdict& verdict, const Timeline& line,
                                                        const MeasuredTrial& run) {
   return forMissed(verdict, [&](const TargetCheck& check, Quantity quantity) {
-    return MissedTarget{momentOfMiss(check, quantity, line, run), Text(rowOf(quantity).traits.advice)};
+    return momentOfMiss(check, quantity, line, run);
   });
 }
 
-std::vector<std::optional<MissedTarget>> missedTargets(const RunVerdict& verdict,
+std::vector<std::optional<MissedTarget>> missedTargets(const RunVerdict& verdict, const Timeline& line,
                                                        const DetorsionStory& story) {
   const UntwistingMoments moments(story);
   return forMissed(verdict, [&](const TargetCheck& check, Quantity quantity) {
-    MissedTarget missed{{}, Text(rowOf(quantity).traits.advice)};
-    if (const std::optional<double> at_s = moments.of(check, quantity)) {
-      missed.when = around(*at_s);
-    }
-    return missed;
+    const std::optional<double> at_s = moments.of(check, quantity);
+    return at_s ? std::optional(around(*at_s)) : momentOfLoad(quantity, line);
   });
 }
 

@@ -18,6 +18,7 @@ namespace torsio {
 struct Seconds {
   double from_s = 0.0;
   double to_s = 0.0;
+  friend bool operator==(const Seconds&, const Seconds&) = default;
 };
 
 /// The samples of a recording with their times. Keeps a view of the samples.
@@ -37,7 +38,7 @@ struct Timeline {
 /// Where a requirement was missed, and what to try next.
 struct MissedTarget {
   std::optional<Seconds> when{};  ///< empty: nothing in the recording shows it
-  Text advice{};                  ///< empty: none is known
+  Text advice{};                  ///< empty: given with an earlier check
 };
 
 /// Finds for each check of the verdict where it was missed; empty for one that was met or not measured
@@ -47,6 +48,7 @@ struct MissedTarget {
                                                                      const MeasuredTrial& run);
 /// Like the overload above, for an untwisting: at an event or an extreme of its story.
 [[nodiscard]] std::vector<std::optional<MissedTarget>> missedTargets(const RunVerdict& verdict,
+                                                                     const Timeline& line,
                                                                      const DetorsionStory& story);
 
 }  // namespace torsio

@@ -23,6 +23,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/outputs/dataset/cohort_exchange.h"
 #include "app/outputs/pdf/pdf_report.h"
 #include "app/outputs/tables/export_set.h"
@@ -331,6 +332,7 @@ TEST_F(Faces, TheDebriefSaysTheSameInWindowAndBrowser) {
   gui::Station station(world_->centre);
   station.desk().lastScene = borrowed(testing::trainingBar());
   std::size_t findings = 0;
+  std::size_t moments = 0;
   inBothLanguages([&](const char* code) {
     WebClient client = browser(code);
     const json own = client.get("/api/own").json();
@@ -349,8 +351,16 @@ TEST_F(Faces, TheDebriefSaysTheSameInWindowAndBrowser) {
       const QString all = station.allText();
       ASSERT_EQ(run.at("told").at("checks").size(), verdict.checks.size());
       for (std::size_t i = 0; i < verdict.checks.size(); ++i) {
-        const std::string said = run.at("told").at("checks").at(i).at("text");
+        const json& check = run.at("told").at("checks").at(i);
+        const std::string said = check.at("text");
         EXPECT_TRUE(all.contains(QString::fromStdString(said))) << said << "\n" << all.toStdString();
+        const std::string advice = check.at("advice");
+        EXPECT_TRUE(advice.empty() || !(verdict.checks[i].passed || check.at("lost").get<bool>())) << said;
+        EXPECT_TRUE(all.contains(QString::fromStdString(advice))) << advice;
+        if (!check.at("from_s").is_null()) {
+          ++moments;
+          EXPECT_TRUE(all.contains(gui::clockTenths(check.at("from_s").get<double>()))) << said;
+        }
         if (verdict.checks[i].consecutive <= 1) {
           EXPECT_EQ(said, inWords(verdict.checks[i].text()));
         }
@@ -363,6 +373,7 @@ TEST_F(Faces, TheDebriefSaysTheSameInWindowAndBrowser) {
     }
   });
   EXPECT_GT(findings, 2U * kUntwistings * 3U) << "in two languages";
+  EXPECT_GT(moments, 4U) << "of targets that were missed";
 }
 
 TEST_F(Faces, NobodyReadsThatItIsNotTheirFaultBelowNotPassed) {

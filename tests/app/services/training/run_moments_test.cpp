@@ -134,6 +134,20 @@ TEST(MissedTargets, WhatWasMetHasNone) {
       std::none_of(told.missed.begin(), told.missed.end(), [](const auto& one) { return one.has_value(); }));
 }
 
+TEST(MissedTargets, AnAdviceIsGivenOnce) {
+  WrittenRun run;
+  run.wait(1.0);
+  run.twist(60.0, 0.1);
+  run.wait(1.0);
+  AttemptRules rules;
+  rules.mastery = {{.quantity = Quantity::kOnTarget, .threshold = 0.5}};
+
+  const Debrief told = makeDebrief(header(), run.samples(), rules, nullptr);
+
+  ASSERT_NE(missedOf(told, Quantity::kTargetsReached), nullptr);
+  EXPECT_EQ(missedOf(told, Quantity::kOnTarget), nullptr) << "the same was said above";
+}
+
 TEST(MissedTargets, ARunWithoutATwistIsShownWhole) {
   WrittenRun run;
   run.wait(4.0);
@@ -172,15 +186,22 @@ TEST(MissedTargets, OfAnUntwistingAreAtItsEventsAndExtremes) {
   }
   verdict.checks.push_back({.quantity = Quantity::kRelapse, .passed = true, .value = 0.0});
 
-  const auto missed = missedTargets(verdict, story);
+  WrittenRun run;
+  run.wait(1.0);
+  run.at(0.7).response.force_N = {5.0, 0.0, 0.0};
+  verdict.checks.push_back({.quantity = Quantity::kPeakForce, .value = 5.0, .wanted = 4.0, .atLeast = false});
 
-  ASSERT_EQ(missed.size(), expected.size() + 1);
+  const auto missed = missedTargets(verdict, Timeline(header(), run.samples()), story);
+
+  ASSERT_EQ(missed.size(), expected.size() + 2);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     ASSERT_TRUE(missed[i] && missed[i]->when) << idOf(expected[i].first);
     EXPECT_DOUBLE_EQ(missed[i]->when->from_s + 0.5, expected[i].second) << idOf(expected[i].first);
-    EXPECT_FALSE(missed[i]->advice.empty()) << idOf(expected[i].first);
+    EXPECT_EQ(missed[i]->advice.empty(), expected[i].first == Quantity::kWrongWay)
+        << idOf(expected[i].first) << ": each advice once";
   }
-  EXPECT_FALSE(missed.back()) << "it was met";
+  EXPECT_FALSE(missed[expected.size()]) << "it was met";
+  expectAround(&missed.back().value(), 0.7, "the largest force");
 }
 
 }  // namespace
