@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <initializer_list>
 #include <iterator>
 #include <set>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/connectors/foreign/foreign_marks.h"
+#include "app/connectors/foreign/map_part.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/base/identifiers.h"
 #include "sim/core/digest.h"
@@ -45,112 +45,6 @@ constexpr std::array<RotationRow, 5> kRotations = {{{"none", RotationForm::kNone
                                                     {"quaternion xyzw", RotationForm::kQuaternionXyzw, 4},
                                                     {"matrix rows", RotationForm::kMatrixRows, 9},
                                                     {"matrix columns", RotationForm::kMatrixColumns, 9}}};
-
-/// An object of the map that knows its path.
-class MapPart {
- public:
-  MapPart(const nlohmann::json& json, std::string where) : json_(json), where_(std::move(where)) {
-    if (!json_.is_object()) {
-      refuse(Text::tr("not a JSON object"), where_, Text::tr("See the example of a map"));
-    }
-  }
-
-  [[noreturn]] void refuseAt(const std::string& key, const Text& what, const Text& remedy) const {
-    refuse(what, placeOf(key), remedy);
-  }
-  [[nodiscard]] std::string placeOf(const std::string& key) const { return where_ + ", \"" + key + "\""; }
-  /// Refuses unknown keys: a misspelt one would be silently ignored.
-  void allow(std::initializer_list<std::string_view> keys) const {
-    for (const auto& [key, value] : json_.items()) {
-      if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-        refuseAt(key, Text::tr("the map has an unknown field"), Text::tr("Check its spelling"));
-      }
-    }
-  }
-  [[nodiscard]] bool has(const char* key) const { return json_.contains(key); }
-  [[nodiscard]] std::string text(const char* key) const {
-    std::string found = textOr(key, "");
-    if (found.empty()) {
-      refuseAt(key, Text::tr("the map must say this"), Text::tr("Write it into the map; nothing is guessed"));
-    }
-    return found;
-  }
-  [[nodiscard]] std::string textOr(const char* key, const std::string& other) const {
-    if (!has(key)) {
-      return other;
-    }
-    if (!json_[key].is_string()) {
-      refuseAt(key, Text::tr("not a text"), Text::tr("Put it in quotes"));
-    }
-    return json_[key].get<std::string>();
-  }
-  /// Like textOr(), for a name or label: one readable line.
-  [[nodiscard]] std::string labelOr(const char* key, const std::string& other) const {
-    std::string found = textOr(key, other);
-    requireReadable(found, placeOf(key));
-    return found;
-  }
-  [[nodiscard]] std::string label(const char* key) const {
-    std::string found = text(key);
-    requireReadable(found, placeOf(key));
-    return found;
-  }
-  /// False without the key.
-  [[nodiscard]] bool yesOrNo(const char* key) const {
-    if (!has(key)) {
-      return false;
-    }
-    if (!json_[key].is_boolean()) {
-      refuseAt(key, Text::tr("neither true nor false"), Text::tr("Write one of them, without quotes"));
-    }
-    return json_[key].get<bool>();
-  }
-  [[nodiscard]] double number(const char* key) const {
-    if (!has(key) || !json_[key].is_number()) {
-      refuseAt(key, Text::tr("the map must say this number"), Text::tr("Write it without quotes"));
-    }
-    return json_[key].get<double>();
-  }
-  [[nodiscard]] MapPart part(const char* key) const {
-    if (!has(key)) {
-      refuseAt(key, Text::tr("the map must say this"), Text::tr("Write it into the map; nothing is guessed"));
-    }
-    return {json_[key], where_ + ", \"" + key + "\""};
-  }
-  [[nodiscard]] std::vector<MapPart> list(const char* key) const {
-    std::vector<MapPart> parts;
-    std::size_t number = 0;
-    for (const nlohmann::json& one : array(key)) {
-      parts.emplace_back(one, where_ + ", \"" + key + "\" " + std::to_string(++number));
-    }
-    return parts;
-  }
-  [[nodiscard]] std::vector<std::string> texts(const char* key, std::size_t count) const {
-    std::vector<std::string> found;
-    for (const nlohmann::json& one : array(key)) {
-      found.push_back(one.is_string() ? one.get<std::string>() : std::string());
-    }
-    const bool empty =
-        std::any_of(found.begin(), found.end(), [](const std::string& t) { return t.empty(); });
-    if (found.size() != count || empty) {
-      refuseAt(key, Text::tr("%1 {name of a column belongs|names of columns belong} here", count),
-               Text::tr("Name each of them once"));
-    }
-    return found;
-  }
-  [[nodiscard]] const std::string& where() const noexcept { return where_; }
-
- private:
-  [[nodiscard]] const nlohmann::json& array(const char* key) const {
-    if (!has(key) || !json_[key].is_array()) {
-      refuseAt(key, Text::tr("a list belongs here"), Text::tr("See the example of a map"));
-    }
-    return json_[key];
-  }
-
-  const nlohmann::json& json_;
-  std::string where_;
-};
 
 /// The stored value of one unit that the map names.
 double unitOf(Stated quantity, const MapPart& part, const char* key) {
