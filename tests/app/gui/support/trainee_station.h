@@ -90,6 +90,9 @@ class Station {
     for (const QLabel* label : page->findChildren<QLabel*>()) {
       texts << label->text();
     }
+    for (const QAbstractButton* button : page->findChildren<QAbstractButton*>()) {
+      texts << button->text();
+    }
     return texts.join(QLatin1Char('\n'));
   }
   RunPage& run() { return static_cast<RunPage&>(*page); }
