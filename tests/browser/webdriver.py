@@ -32,12 +32,9 @@ class Browser:
         self.size, self.language, self.dark, self.webgl = size, language, dark, webgl
 
     def __enter__(self):
-        self.driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                                       text=True)
-        for line in self.driver.stdout:
-            if "started successfully on port" in line:
-                self.base = f"http://127.0.0.1:{line.split('port')[1].strip(' .') .strip()}".rstrip(".")
-                break
+        self.base = self.started() or self.started() or self.started()  # another program may take the port it found
+        if self.base is None:
+            raise Failed("chromedriver does not start")
         arguments = [*([] if self.display else ["--headless=new"]), "--no-sandbox", "--disable-dev-shm-usage", f"--lang={self.language}",
                      f"--window-size={self.size[0]},{self.size[1]}", "--hide-scrollbars"]
         if self.webgl and not self.display:
@@ -54,6 +51,16 @@ class Browser:
         self.base += f"/session/{answer['sessionId']}"
         self.resize(*self.size)
         return self
+
+    def started(self):
+        """Starts the driver and returns its address; None: it ended."""
+        self.driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                                       text=True)
+        for line in self.driver.stdout:
+            if "started successfully on port" in line:
+                return f"http://127.0.0.1:{line.split('port')[1].strip(' .') .strip()}".rstrip(".")
+        self.driver.wait()
+        return None
 
     def __exit__(self, *_):
         try:
