@@ -130,6 +130,11 @@ HttpResponse refusedByRecord(const DbError& error, const Wording& wording) {
   switch (error.fault()) {
     case DbFault::kConflict:
       return refusal(409, error, wording);
+    case DbFault::kUnique:
+      return refusal(409,
+                     simpleRefusal(Text::tr("somebody else saved this at the same moment"),
+                                   Text::tr("Load the page again and look before you save")),
+                     wording);
     case DbFault::kUnreachable:
       return recordAway(wording);
     case DbFault::kBusy:

@@ -144,6 +144,7 @@ TEST_F(SheetRepositoryTest, AnAmendmentIsTheNextVersion) {
   const std::string id = desk.assignments[0].id;
   desk.sheets.submit(id, desk.sample.ids.newUuid(), fullSheet(), "", kSampleTime_us);
   Sheet better = fullSheet();
+  better.revision = 1;
   better.overall_steps = 80;
 
   desk.sheets.submit(id, desk.sample.ids.newUuid(), better, "looked again", kSampleTime_us + 1);
@@ -154,12 +155,30 @@ TEST_F(SheetRepositoryTest, AnAmendmentIsTheNextVersion) {
   EXPECT_EQ(mark.amendReason, "looked again");
 }
 
+TEST_F(SheetRepositoryTest, OfTwoAmendmentsOfOneVersionTheSecondIsToldAndKeepsNothing) {
+  Desk desk(connection());
+  const std::string id = desk.assignments[0].id;
+  desk.sheets.submit(id, desk.sample.ids.newUuid(), fullSheet(), "", kSampleTime_us);
+  const Sheet read = desk.sheets.submitted(id).value();
+  EXPECT_EQ(read.revision, 1);
+  desk.sheets.submit(id, desk.sample.ids.newUuid(), read, "looked again", kSampleTime_us + 1);
+
+  EXPECT_EQ(faultFrom([&] {
+              desk.sheets.submit(id, desk.sample.ids.newUuid(), read, "mistyped", kSampleTime_us + 2);
+            }),
+            DbFault::kConflict);
+
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM training_mark"), 2);
+  EXPECT_EQ(desk.sheets.submitted(id)->revision, 2);
+}
+
 TEST_F(SheetRepositoryTest, SubmittingAgainAfterALostAnswerSealsOnce) {
   Desk desk(connection());
   const std::string id = desk.assignments[0].id;
   const std::string first = desk.sample.ids.newUuid();
   const std::string second = desk.sample.ids.newUuid();
   Sheet better = fullSheet();
+  better.revision = 1;
   better.overall_steps = 80;
   desk.sheets.submit(id, first, fullSheet(), "", kSampleTime_us);
   desk.sheets.submit(id, second, better, "looked again", kSampleTime_us + 1);

@@ -17,7 +17,7 @@ struct SheetRow {
 
 /// A rater's answers.
 struct Sheet {
-  std::int64_t revision = 0;  ///< of the draft: number of saves; 0: never saved
+  std::int64_t revision = 0;  ///< of a draft: number of saves, 0: never saved; of a sealed sheet: its version
   std::optional<std::int64_t> overall_steps{};
   std::string notAssessableReason{};
   std::string comment{};

@@ -42,6 +42,12 @@ Assignment assignmentOf(Connection& connection, const AssignmentId& assignmentId
   return std::move(*found);
 }
 
+DbError changedElsewhere(const Connection& connection, const std::string& operation) {
+  return DbError(DbFault::kConflict, operation,
+                 Text::tr("this sheet was changed at another station meanwhile"), connection.location(),
+                 Text::tr("Open the sheet again"));
+}
+
 /// Returns the start of a query for statusOf().
 std::string selectStatus() {
   return selectAssignments(
@@ -241,9 +247,7 @@ std::int64_t SheetRepository::saveDraft(const AssignmentId& assignmentId, const 
                 {next, sheet.overall_steps, textOrNull(sheet.notAssessableReason), textOrNull(sheet.comment),
                  sheet.changedUtc_us, assignmentId, sheet.revision});
   if (changed != 1) {
-    throw DbError(DbFault::kConflict, "UPDATE mark_draft",
-                  Text::tr("this sheet was changed at another station meanwhile"), connection_.location(),
-                  Text::tr("Open the sheet again"));
+    throw changedElsewhere(connection_, "UPDATE mark_draft");
   }
   connection_.execute("DELETE FROM mark_draft_row WHERE assignment_id = ?", {assignmentId});
   Statement insert = connection_.prepare(
@@ -304,13 +308,23 @@ void SheetRepository::submit(const AssignmentId& assignmentId, const MarkId& mar
              Text::tr("Let the sheet be withdrawn"));
     }
     if (!amendReason.empty()) {
-      mark.version = static_cast<std::int64_t>(1 + earlier.size());
+      mark.version = sheet.revision + 1;
+      if (mark.version != static_cast<std::int64_t>(1 + earlier.size())) {
+        throw changedElsewhere(connection_, "INSERT training_mark");
+      }
     }
   }
   for (const SheetRow& row : sheet.rows) {
     mark.rows.push_back({rubric.id, row.code, row.score_steps, row.notAssessableReason});
   }
-  RatingRepository(connection_).submit(std::span(&mark, 1));
+  try {
+    RatingRepository(connection_).submit(std::span(&mark, 1));
+  } catch (const DbError& error) {
+    if (error.fault() == DbFault::kUnique && !amendReason.empty()) {
+      throw changedElsewhere(connection_, error.operation());
+    }
+    throw;
+  }
   connection_.execute("DELETE FROM mark_draft_row WHERE assignment_id = ?", {assignmentId});
   connection_.execute("DELETE FROM mark_draft WHERE assignment_id = ?", {assignmentId});
   transaction.commit();
@@ -320,11 +334,11 @@ std::optional<Sheet> SheetRepository::submitted(const AssignmentId& assignmentId
   MarkId markId;
   std::optional<Sheet> sheet = selectFirst(
       connection_,
-      "SELECT id, score_steps, not_assessable_reason, comment, submitted_utc_us FROM training_mark"
+      "SELECT id, version, score_steps, not_assessable_reason, comment, submitted_utc_us FROM training_mark"
       " WHERE assignment_id = ? ORDER BY version DESC LIMIT 1",
       {assignmentId}, [&markId](RowReader& row) {
         markId = row.text();
-        return Sheet{0, row.maybeInt64(), row.text(), row.text(), {}, row.int64()};
+        return Sheet{row.int64(), row.maybeInt64(), row.text(), row.text(), {}, row.int64()};
       });
   if (sheet) {
     sheet->rows = markRows(connection_, markId);

@@ -44,12 +44,13 @@ class SheetRepository {
   std::int64_t saveDraft(const AssignmentId& assignmentId, const Sheet& sheet);
   [[nodiscard]] std::optional<Sheet> draft(const AssignmentId& assignmentId) const;
 
-  /// Seals the first version or, with `amendReason`, the next one as mark `markId` with its rows, and deletes
-  /// the draft. Throws Error (kBadData) if a row of the rubric is missing or unknown, or a score is off its
-  /// scale; DbError (kUnique) if another station sealed it first. Repeating the call is no error.
+  /// Seals the first version or, with `amendReason`, the one after `sheet.revision` as mark `markId` with its
+  /// rows, and deletes the draft. Throws Error (kBadData) if a row of the rubric is missing or unknown, or a
+  /// score is off its scale; DbError if another station was first: kUnique for the first version, kConflict
+  /// for an amendment of a version that is no longer the newest. Repeating the call is no error.
   void submit(const AssignmentId& assignmentId, const MarkId& markId, const Sheet& sheet,
               const std::string& amendReason, std::int64_t submittedUtc_us);
-  /// The newest submitted version; empty: not submitted.
+  /// The newest submitted version, its number as revision; empty: not submitted.
   [[nodiscard]] std::optional<Sheet> submitted(const AssignmentId& assignmentId) const;
 
   /// True if every rater assigned to this case has submitted; until then each sees only their own sheet.

@@ -239,4 +239,10 @@ Sheet reviewSheet(double time, double accuracy, double overall) {
   return sheet;
 }
 
+Sheet changedSheet(std::int64_t version, double time, double accuracy, double overall) {
+  Sheet sheet = reviewSheet(time, accuracy, overall);
+  sheet.revision = version;
+  return sheet;
+}
+
 }  // namespace torsio

@@ -71,10 +71,13 @@ class ReviewCentre : public TestRecord {
 
 /// Fills in a sheet of the centre's rubric: both rows and the overall mark, points.
 [[nodiscard]] Sheet reviewSheet(double time, double accuracy, double overall);
+/// The same as a change of this sealed version.
+[[nodiscard]] Sheet changedSheet(std::int64_t version, double time, double accuracy, double overall);
 
 }  // namespace torsio
 
 namespace torsio::testing {
+using torsio::changedSheet;
 using torsio::kReviewDay_us;
 using torsio::kReviewTime_us;
 using torsio::ReviewCentre;

@@ -107,13 +107,14 @@ TEST_F(AwayDatabase, TheDeskReconnectsAfterARestart) {
   EXPECT_TRUE(other.signIn("physician1", kWebPassword));
 }
 
-TEST_F(AwayDatabase, OfTwoSubmissionsAtOnceOneSealsAndTheOtherSaysSo) {
+TEST_F(AwayDatabase, OfTwoSealsOrTwoChangesAtOnceOneCountsAndTheOtherIsTold) {
   const ServedDesk served(setup());
   std::vector<WebClient> tabs{served.physician(0), served.physician(0)};
   const std::vector<std::string> paths{"/api/cases/" + firstCase(tabs[0]),
                                        "/api/cases/" + firstCase(tabs[1])};
   watchWhole(tabs[0], paths[0]);
   submitTwiceAtOnce(tabs, paths);
+  amendTwiceAtOnce(tabs, paths);
 }
 
 TEST_F(AwayDatabase, TheDeskSaysThatTheRecordIsAwayAndLogsItOnce) {

@@ -138,6 +138,17 @@ inline void submitTwiceAtOnce(std::vector<WebClient>& pages, const std::vector<s
   EXPECT_NE(said.find("this sheet is sealed already"), std::string::npos) << said;
 }
 
+/// Changes the sealed sheet from both pages at once: one is taken, the other is told to look again.
+inline void amendTwiceAtOnce(std::vector<WebClient>& pages, const std::vector<std::string>& paths) {
+  const std::vector<DeskAnswer> answers =
+      sentAtOnce(pages, paths, "/amend", {{"sheet", sheetBody(1, 60, 80, 75)}, {"reason", "mistyped"}});
+  const std::string said = answers.front().body + answers.back().body;
+  EXPECT_EQ(std::min(answers.front().status, answers.back().status), 200) << said;
+  EXPECT_EQ(std::max(answers.front().status, answers.back().status), 409) << said;
+  EXPECT_NE(said.find("this sheet was changed at another station meanwhile"), std::string::npos) << said;
+  EXPECT_EQ(pages.front().get(paths.front()).json().at("versions").size(), 2U);
+}
+
 /// Path of a route with `handle` in place of each `*`.
 inline std::string pathOf(const web::Route& route, const std::string& handle) {
   std::string path = route.path;

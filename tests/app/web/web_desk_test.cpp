@@ -377,13 +377,14 @@ TEST(WebDesk, ACaseIsScoredSavedAndSubmitted) {
   EXPECT_EQ(submitted, 1) << "the window finds what the browser has sealed";
 }
 
-TEST(WebDesk, OfTwoSubmissionsAtOnceOneSealsAndTheOtherSaysSo) {
+TEST(WebDesk, OfTwoSealsOrTwoChangesAtOnceOneCountsAndTheOtherIsTold) {
   const Served served({.raters = 1, .trainees = 1, .trial_s = 0.5});
   std::vector<WebClient> tabs{served.physician(0), served.physician(0)};
   const std::vector<std::string> paths{"/api/cases/" + firstCase(tabs[0]),
                                        "/api/cases/" + firstCase(tabs[1])};
   watchWhole(tabs[0], paths[0]);
   submitTwiceAtOnce(tabs, paths);
+  amendTwiceAtOnce(tabs, paths);
 }
 
 TEST(WebDesk, ASealedSheetSubmittedAgainIsSaidToBeSealed) {

@@ -158,7 +158,7 @@ TEST(DiscrepancyReview, ThePanelWaitsForTheRatersOwnSheetsOfTheOccasion) {
   EXPECT_EQ(refusalCode([&] { keepMark(*first, done, ""); }), ErrorCode::kBadData);
   EXPECT_EQ(discrepancyCases(*centre.physician(1)).size(), 1U) << "who has finished sees the panel";
   centre.passTime_us(1'000'000);
-  amendSheet(*first, done, reviewSheet(3, 3, 3), "a slip");
+  amendSheet(*first, done, changedSheet(1, 3, 3, 3), "a slip");
   EXPECT_FALSE(sheetVersions(*first, done).back().afterPanel) << "the panel was not seen";
 
   centre.passTime_us(1'000'000);
@@ -199,7 +199,7 @@ TEST(DiscrepancyReview, ShowsOnlyDisagreementsAndRemembersDecisions) {
   EXPECT_EQ(discrepancyCases(*first)[0].decision, DiscrepancyChoice::kThird);
   keepMark(*first, id, "");
   EXPECT_EQ(discrepancyCases(*first)[0].decision, DiscrepancyChoice::kKeep);
-  moveMark(*first, id, reviewSheet(8, 8, 7.5), "missed the second grip");
+  moveMark(*first, id, changedSheet(1, 8, 8, 7.5), "missed the second grip");
 
   EXPECT_TRUE(discrepancyCases(*first).empty());  // no differences left
   setCentreSetting<kDiscrepancy_points>(*centre.administrator(), 0.1);
@@ -431,13 +431,13 @@ TEST(ReviewDesk, EveryChangeIsAuditedAndTheTrailVerifies) {
   auditedBy(*desk, "remark.add",
             [&] { editCaseRemark(*desk, own, caseRemarks(*desk, own)[0].id, "first grip slips"); });
   auditedBy(*desk, "sheet.submit", [&] { submitSheet(*desk, own, reviewSheet(4, 4, 4), watchedWhole()); });
-  auditedBy(*desk, "sheet.amend", [&] { amendSheet(*desk, own, reviewSheet(3, 3, 3), "a slip"); });
+  auditedBy(*desk, "sheet.amend", [&] { amendSheet(*desk, own, changedSheet(1, 3, 3, 3), "a slip"); });
   const auto other = centre.physician(1);
   auditedBy(*other, "sheet.submit",
             [&] { submitSheet(*other, centre.caseAbout(1, 0), reviewSheet(8, 8, 8), watchedWhole()); });
   auditedBy(*desk, "alignment.third", [&] { askForAdjudicator(*desk, own, "far apart"); });
   auditedBy(*desk, "alignment.keep", [&] { keepMark(*desk, own, ""); });
-  auditedBy(*desk, "alignment.move", [&] { moveMark(*desk, own, reviewSheet(7, 7, 7), "seen again"); });
+  auditedBy(*desk, "alignment.move", [&] { moveMark(*desk, own, changedSheet(2, 7, 7, 7), "seen again"); });
   auditedBy(*desk, "evaluation.form", [&] { submitEvaluation(*desk, campaign.id, "K", WatchLog()); });
 }
 

@@ -282,12 +282,13 @@ TEST(CaseSheet, AnAmendmentKeepsBothVersionsAndNeedsAReason) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const std::string id = centre.cases(0).front();
-  EXPECT_EQ(refusalCode([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), "looked again"); }),
+  EXPECT_EQ(refusalCode([&] { amendSheet(*desk, id, changedSheet(1, 5, 5, 5), "looked again"); }),
             ErrorCode::kBadData);
   submitSheet(*desk, id, reviewSheet(7, 6, 6.5), whole(2'000'000));
 
-  EXPECT_EQ(refusalCode([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), ""); }), ErrorCode::kBadParameter);
-  amendSheet(*desk, id, reviewSheet(8, 6, 7), "looked again");
+  EXPECT_EQ(refusalCode([&] { amendSheet(*desk, id, changedSheet(1, 5, 5, 5), ""); }),
+            ErrorCode::kBadParameter);
+  amendSheet(*desk, id, changedSheet(1, 8, 6, 7), "looked again");
 
   const std::vector<SheetVersion> versions = sheetVersions(*desk, id);
   ASSERT_EQ(versions.size(), 2U);
@@ -302,16 +303,16 @@ TEST(CaseSheet, OnceThePanelsMarksAreVisibleAChangeNeedsAReasonAndIsFlagged) {
   const auto desk = centre.physician(0);
   const std::string id = centre.caseAbout(0, 0);
   submitSheet(*desk, id, reviewSheet(3, 3, 3), whole(2'000'000));
-  amendSheet(*desk, id, reviewSheet(4, 4, 4), "looked again");
+  amendSheet(*desk, id, changedSheet(1, 4, 4, 4), "looked again");
   EXPECT_FALSE(openSheet(*desk, id).panelOpen);
   centre.passTime_us(1'000'000);
   submitSheet(*centre.physician(1), centre.caseAbout(1, 0), reviewSheet(8, 8, 8), whole(2'000'000));
   centre.passTime_us(1'000'000);
 
   EXPECT_TRUE(openSheet(*desk, id).panelOpen);
-  EXPECT_EQ(refusalCode([&] { amendSheet(*desk, id, reviewSheet(8, 8, 8), "so do the others"); }),
+  EXPECT_EQ(refusalCode([&] { amendSheet(*desk, id, changedSheet(1, 8, 8, 8), "so do the others"); }),
             ErrorCode::kBadData);
-  moveMark(*desk, id, reviewSheet(7, 7, 7), "missed the second grip");
+  moveMark(*desk, id, changedSheet(2, 7, 7, 7), "missed the second grip");
 
   const std::vector<SheetVersion> versions = sheetVersions(*desk, id);
   ASSERT_EQ(versions.size(), 3U);
