@@ -21,6 +21,9 @@ namespace torsio {
 namespace {
 
 constexpr double kManyWithdrew = 0.2;
+/// Rests and waits between runs take time, too; a record that has less than this of the noted time is
+/// incomplete.
+constexpr double kLeastRecordedShare = 0.1;
 constexpr std::size_t kAlikePairsAtMost = 6;  // of trainees with the same marks, in one sentence
 
 using Sentences = std::vector<ReportParagraph>;
@@ -207,6 +210,36 @@ void addWithdrawn(const CohortInputs& in, const Ledger& ledger, Sentences& out) 
   }
 }
 
+/// Adds that minutes were noted for a group without any recorded run.
+void addNotedWithoutRuns(const Text& group, const Ledger& ledger, std::size_t g, Sentences& out) {
+  const ResultsAt times(ledger, {.section = ResultSection::kPractice, .group = ledger.group(g)});
+  if (times.number("mean_noted_virtual_min").value_or(0.0) > 0.0) {
+    const ReportCell noted = times("mean_noted_virtual_min", fixed(0));
+    const ReportCell runs =
+        ResultsAt(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(g)})("runs");
+    out.push_back(
+        {Text::tr("For %1, %2 minutes on the simulator are noted per trainee on average, but no run is "
+                  "recorded.",
+                  group, noted.words()),
+         {noted, runs}});
+  }
+}
+
+/// Adds that the recorded runs of a group make up hardly any of the minutes that were noted.
+void addNotedBeyondRuns(const Text& group, const Ledger& ledger, std::size_t g, Sentences& out) {
+  const ResultsAt times(ledger, {.section = ResultSection::kPractice, .group = ledger.group(g)});
+  const double noted_min = times.number("mean_noted_virtual_min").value_or(0.0);
+  if (times.number("mean_recorded_virtual_min").value_or(noted_min) < kLeastRecordedShare * noted_min) {
+    const ReportCell noted = times("mean_noted_virtual_min", fixed(0));
+    const ReportCell recorded = times("mean_recorded_virtual_min", fixed(1));
+    out.push_back(
+        {Text::tr("For %1, %2 minutes on the simulator are noted per trainee on average, but the recorded "
+                  "runs last only %3 {minute|minutes}: most of the training is not in the record.",
+                  group, noted.words(), recorded.words()),
+         {noted, recorded}});
+  }
+}
+
 /// Adds where recorded runs contradict the minutes that somebody noted, or the plan.
 void addContradictions(const CohortInputs& in, const Ledger& ledger, Sentences& out) {
   if (!knowsPlanAndTimes(in)) {
@@ -221,14 +254,10 @@ void addContradictions(const CohortInputs& in, const Ledger& ledger, Sentences& 
           {Text::tr("%1 was not to train on the simulator, but %2 {run is|runs are} recorded for it.",
                     in.groups[g].name, runs.words()),
            {runs}});
-    } else if (const ResultsAt times(ledger, {.section = ResultSection::kPractice, .group = ledger.group(g)});
-               !ran && !in.trials.empty() && times.number("mean_noted_virtual_min").value_or(0.0) > 0.0) {
-      const ReportCell noted = times("mean_noted_virtual_min", fixed(0));
-      out.push_back(
-          {Text::tr("For %1, %2 minutes on the simulator are noted per trainee on average, but no run is "
-                    "recorded.",
-                    in.groups[g].name, noted.words()),
-           {noted, runs}});
+    } else if (!ran && !in.trials.empty()) {
+      addNotedWithoutRuns(in.groups[g].name, ledger, g, out);
+    } else if (ran && !in.demonstration) {  // whose runs are shortened
+      addNotedBeyondRuns(in.groups[g].name, ledger, g, out);
     }
   }
 }

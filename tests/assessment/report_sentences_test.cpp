@@ -137,6 +137,28 @@ TEST(ReportSentences, RecordedPlannedAndNotedTrainingTimesAreReported) {
   EXPECT_EQ(table->provenance.formula, "plan of the arms; times noted; lengths of the recordings");
 }
 
+TEST(ReportSentences, HardlyAnyRecordedTimeBehindManyNotedMinutesIsSaidOnPageOne) {
+  CohortInputs in = demonstrationCohort();
+  in.demonstration = false;
+  for (CohortGroup& group : in.groups) {
+    group.plannedVirtual_min = group.plannedReal_min = 40.0;
+  }
+  in.doses = {{"x101", 40.0, 40.0, 5.0}};
+  in.trials.resize(1);
+  in.trials[0].trainee = "x101";
+  in.trials[0].group = 0;
+  in.trials[0].minutes = 0.5;
+  const std::string said =
+      "minutes on the simulator are noted per trainee on average, but the recorded runs last";
+  EXPECT_THAT(saidBy(in), HasSubstr(said));
+
+  in.trials[0].minutes = 12.0;  // the rest was spent between the runs
+  EXPECT_THAT(saidBy(in), Not(HasSubstr(said)));
+  in.trials[0].minutes = 0.5;
+  in.demonstration = true;
+  EXPECT_THAT(saidBy(in), Not(HasSubstr(said))) << "a demonstration's runs are shortened";
+}
+
 TEST(ReportSentences, AMissingMarkIsReportedWhereMarksAreCounted) {
   CohortInputs in = demonstrationCohort();
   EXPECT_THAT(saidBy(in), HasSubstr("physicians scored every trainee at 3 occasions"));
