@@ -34,7 +34,7 @@ export function verdictTexts(showRates = unfolding) {
 
 /// What a tracker recorded on the real arm; nothing if it recorded nothing.
 export function realArmSection(runs) {
-  return runs.length === 0 ? '' : h('section', { class: 'card stack' }, h('h2', {}, t('On the real arm, recorded by the tracker')),
+  return runs.length === 0 ? '' : h('section', { class: 'card stack' }, h('h2', {}, t('Movements recorded outside the simulator')),
     h('ul', {}, runs.map((run) => h('li', {}, `${dayText(run.started_utc_us)}, ${clockTenths(1e6 * run.duration_s)}: ${joinedSentences(run.told)}`))));
 }
 

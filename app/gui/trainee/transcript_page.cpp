@@ -131,7 +131,7 @@ QString TranscriptPage::html(bool paper) const {
   if (!t.realArm.empty()) {
     page += QStringLiteral("<h3 style='margin-top: %1px'>%2</h3>")
                 .arg(kAboveModule_px)
-                .arg(tr("On the real arm, recorded by the tracker").toHtmlEscaped());
+                .arg(tr("Movements recorded outside the simulator").toHtmlEscaped());
     for (const RealArmRun& run : t.realArm) {
       QStringList sentences;
       for (const Text& one : run.sentences) {
