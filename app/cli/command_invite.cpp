@@ -68,7 +68,7 @@ void addInvite(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("invite", "Makes links with which users set a password in a browser");
   addDatabaseOption(*command, arguments->database);
-  addSignIn(*command, arguments->maintenance, "--as")->required();
+  addSignIn(*command, arguments->maintenance, kLoginOrAs)->required();
   command->add_option("--address", arguments->address,
                       "Address of the review desk for browsers, https://...");
   command->add_option("--revoke", arguments->revoke, "Revokes their links instead, for this reason");

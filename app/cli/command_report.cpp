@@ -244,7 +244,7 @@ void addFreeze(CLI::App& report) {
   command->add_option("--name", arguments->name, "Name of the data set")->required();
   command->add_option("--incomplete", arguments->whyIncomplete,
                       "Why an interim state is frozen, where sheets are missing");
-  addSignIn(*command, arguments->maintenance, "--as")->required();
+  addSignIn(*command, arguments->maintenance, kLoginOrAs)->required();
   addSecondPerson(*command, arguments->maintenance);
   command->callback([arguments] { freeze(*arguments); });
 }
@@ -301,7 +301,7 @@ void addStatement(CLI::App& report) {
   command->add_option("STATEMENT", arguments->statement, "What it says from now on; empty: take it back")
       ->needs(item);
   command->add_flag("--json", arguments->json, "Print JSON");
-  addSignIn(*command, arguments->maintenance, "--as")->required();
+  addSignIn(*command, arguments->maintenance, kLoginOrAs)->required();
   command->callback([arguments] { setStatement(*arguments); });
 }
 

@@ -74,12 +74,12 @@ void addRoster(CLI::App& program) {
   auto arguments = std::make_shared<RosterArguments>();
   CLI::App* list = roster->add_subcommand("imports", "Lists imports, and whether they can be undone");
   addDatabaseOption(*list, arguments->database);
-  addSignIn(*list, arguments->maintenance, "--as")->required();
+  addSignIn(*list, arguments->maintenance, kLoginOrAs)->required();
   list->add_flag("--json", arguments->json, "JSON");
   list->callback([arguments] { listImports(*arguments); });
   CLI::App* back = roster->add_subcommand("take-back", "Undoes imports completely: all of them, or none");
   addDatabaseOption(*back, arguments->database);
-  addSignIn(*back, arguments->maintenance, "--as")->required();
+  addSignIn(*back, arguments->maintenance, kLoginOrAs)->required();
   back->add_option("imports", arguments->ids, "Ids, as listed by 'torsio roster imports'")->required();
   back->add_option("--reason", arguments->reason, "Reason, for the audit trail")->required();
   back->callback([arguments] { takeBack(*arguments); });

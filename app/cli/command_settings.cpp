@@ -75,7 +75,10 @@ void addSettings(CLI::App& program) {
   command->callback([arguments] { listSettings(*arguments); });
   command = add("set", "Changes one setting");
   command->add_option("name", arguments->name, "Name, as list shows it")->required();
-  command->add_option("value", arguments->value, "yes or no, a number, speeds like 0.5,1,1.5")->required();
+  command
+      ->add_option("value", arguments->value,
+                   "yes or no, a number, speeds like 0.5,1,1.5, or one of the words")
+      ->required();
   addSecondPerson(*command, arguments->maintenance);
   command->callback([arguments] { setSetting(*arguments); });
 }

@@ -211,7 +211,7 @@ void requireSimulated(const StudyArguments& given, const SiteManifest& manifest)
   if (given.simulatedOnly() && !manifest.simulated) {
     throw Error(ErrorCode::kPermission, Text::tr("this package has people who are not simulated"),
                 given.package,
-                Text::tr("Sign in with --as LOGIN, or give --as-system as the owner of the record"));
+                Text::tr("Sign in with --login NAME, or give --as-system as the owner of the record"));
   }
 }
 

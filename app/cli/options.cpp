@@ -30,6 +30,14 @@ std::function<std::string()> secretOf(int descriptor, const std::string& login) 
   };
 }
 
+/// The code follows the password: in the next line of the descriptor, or at the terminal.
+std::function<std::string()> codeOf(int descriptor, const std::string& login) {
+  return [descriptor, login] {
+    return descriptor >= 0 ? secretFrom(descriptor)
+                           : typedSecret("Code of " + login + " (six digits, or a recovery code): ");
+  };
+}
+
 }  // namespace
 
 void say(const Text& sentence) {
@@ -39,15 +47,17 @@ void say(const Text& sentence) {
 CLI::Option* addSignIn(CLI::App& command, MaintenanceOptions& options, const char* loginOption) {
   CLI::Option* login = command.add_option(loginOption, options.login, "Signs in to the record as this user");
   command
-      .add_option("--password-fd", options.passwordDescriptor,
-                  "Reads the password from this file descriptor instead of asking for it")
+      .add_option(
+          "--password-fd", options.passwordDescriptor,
+          "Reads the password from this file descriptor instead of asking for it; the code of a second "
+          "factor from its next line")
       ->check(CLI::Range(0, kLastDescriptor))
       ->needs(login);
   return login;
 }
 
 void addMaintenanceOptions(CLI::App& command, MaintenanceOptions& options) {
-  CLI::Option* login = addSignIn(command, options, "--as");
+  CLI::Option* login = addSignIn(command, options, kLoginOrAs);
   command.add_flag("--as-system", options.asSystem, "Without signing in, as the owner of the record's file")
       ->excludes(login);
 }
@@ -55,7 +65,7 @@ void addMaintenanceOptions(CLI::App& command, MaintenanceOptions& options) {
 void addSecondPerson(CLI::App& command, MaintenanceOptions& options) {
   CLI::Option* login =
       command.add_option("--with", options.secondLogin, "The second person, if the centre requires two")
-          ->needs("--as");
+          ->needs("--login");
   command
       .add_option("--with-password-fd", options.secondDescriptor,
                   "Reads that person's password from this file descriptor")
@@ -66,8 +76,10 @@ void addSecondPerson(CLI::App& command, MaintenanceOptions& options) {
 Maintainer MaintenanceOptions::maintainer() const {
   return {.login = login,
           .password = secretOf(passwordDescriptor, login),
+          .code = codeOf(passwordDescriptor, login),
           .secondLogin = secondLogin,
           .secondPassword = secretOf(secondDescriptor, secondLogin),
+          .secondCode = codeOf(secondDescriptor, secondLogin),
           .systemAccount = asSystem ? systemAccount() : "",
           .ownsFile = ownsFile,
           .tell = say};

@@ -48,7 +48,9 @@ struct MaintenanceOptions {
 /// Prints a line to standard error.
 void say(const Text& sentence);
 
-/// Adds the sign-in option `login`, and --password-fd.
+/// Where --as names nothing else, it signs in like --login.
+inline constexpr const char* kLoginOrAs = "--login,--as";
+/// Adds the sign-in option `login` ("--login" or kLoginOrAs), and --password-fd.
 CLI::Option* addSignIn(CLI::App& command, MaintenanceOptions& options, const char* login);
 /// Adds --as, --password-fd and --as-system and, for acts that need two people, --with and
 /// --with-password-fd.

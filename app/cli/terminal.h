@@ -11,7 +11,7 @@ namespace torsio::cli {
 /// Asks for a secret at the terminal without echo. Throws Error (kUsage) if there is no terminal.
 [[nodiscard]] std::string typedSecret(const std::string& question);
 
-/// Returns the first line of an open file descriptor, for a secret passed by another program. Throws Error
+/// Returns the next line of an open file descriptor, for a secret passed by another program. Throws Error
 /// (kUsage) if nothing can be read.
 [[nodiscard]] std::string secretFrom(int descriptor);
 

@@ -84,8 +84,9 @@ std::string secretFrom(int descriptor) {
     line.pop_back();  // CR of a Windows line end
   }
   if (line.empty()) {
-    refuseUsage("no password can be read", "file descriptor " + std::to_string(descriptor),
-                "Open it for the program, with the password in its first line");
+    refuseUsage("no password or code can be read", "file descriptor " + std::to_string(descriptor),
+                "Open it for the program, with the password in its first line, and the code of a second "
+                "factor in the next");
   }
   return line;
 }

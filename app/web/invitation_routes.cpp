@@ -80,19 +80,6 @@ std::string timeText(std::int64_t utc_us) {
       .toStdString();
 }
 
-/// Returns the QR code of a link, one string of 0 and 1 per row; empty without a link.
-json rowsOf(const std::string& link) {
-  json rows = json::array();
-  for (const std::vector<bool>& row : link.empty() ? std::vector<std::vector<bool>>{} : qrCode(link).dark) {
-    std::string modules;
-    for (const bool dark : row) {
-      modules += dark ? '1' : '0';
-    }
-    rows.push_back(std::move(modules));
-  }
-  return rows;
-}
-
 /// Returns the desk's URL: as set by the centre, otherwise as in this request.
 std::string deskAddress(const Call& call) {
   const std::string set = browserAddress(call.context);
@@ -142,7 +129,7 @@ HttpResponse handedOver(Call& call, const std::vector<HandedInvitation>& handed,
     }
     cards.push_back({{"login", one.login},
                      {"link", link},
-                     {"qr", rowsOf(link)},
+                     {"qr", link.empty() ? std::vector<std::string>() : qrRows(link)},
                      {"code", one.code},
                      {"until", until},
                      {"words", words},

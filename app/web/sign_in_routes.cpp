@@ -11,6 +11,8 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/moved_record.h"
+#include "app/services/access/qr_code.h"
+#include "app/services/access/second_factor.h"
 #include "app/services/access/two_people.h"
 #include "app/services/people/waiting_requests.h"
 #include "app/web/router.h"
@@ -27,6 +29,7 @@ using nlohmann::json;
 constexpr std::size_t kLongestLogin = 200;
 constexpr std::size_t kLongestPassword = 1024;
 constexpr std::size_t kLongestInvitation = 100;
+constexpr std::size_t kLongestCode = 100;
 
 HttpResponse wait(Call& call, std::chrono::seconds time) {
   HttpResponse response = refusal(call, 429, ErrorCode::kPermission, Text::tr("too many tries"),
@@ -80,12 +83,27 @@ std::string placeOf(const Call& call, const std::string& login) {
              : "address " + call.desk.clientOf(call.request);
 }
 
-HttpResponse welcome(Call& call, const SignInAnswer& answer) {
+/// Returns what the page shows for an authenticator app.
+json offerJson(Call& call, const std::string& login) {
+  const SecondFactorOffer offer = offerSecondFactor(call.context, login);
+  return {{"login", login}, {"secret", offer.secret}, {"uri", offer.uri}, {"qr", qrRows(offer.uri)}};
+}
+
+/// `more`: told beside an opened session.
+HttpResponse welcome(Call& call, const SignInAnswer& answer, const json& more = json::object()) {
   switch (answer.outcome) {
     case SignIn::kOk:
       break;
     case SignIn::kMustChange:
       return jsonAnswer({{"outcome", "must_change"}});
+    case SignIn::kCodeNeeded:
+      return jsonAnswer({{"outcome", "code_needed"}});
+    case SignIn::kMustEnrol:
+      return jsonAnswer({{"outcome", "must_enrol"}, {"offer", offerJson(call, answer.actor.login)}});
+    case SignIn::kCodeWrong:
+      call.desk.wrongTries().add(call.desk.clientOf(call.request), call.now);
+      return refusal(call, 401, ErrorCode::kPermission, Text::tr("the code is not right, or was used before"),
+                     Text::tr("Wait for the next one, or use a recovery code"));
     case SignIn::kWait: {
       const std::int64_t left_us = answer.waitUntilUtc_us - call.context.now_us();
       return wait(call, std::chrono::seconds(left_us / kSecond_us + 1));
@@ -98,6 +116,9 @@ HttpResponse welcome(Call& call, const SignInAnswer& answer) {
   const json user = userJson(call, answer.actor);
   if (user.at("pages").empty()) {
     signOut(call.context);
+    if (!more.empty()) {
+      return jsonAnswer(more);  // shown once, also to somebody who has no page here
+    }
     return refusal(call, 403, ErrorCode::kPermission, Text::tr("there is no page for you in the browser"),
                    Text::tr("Use Torsio's window at a station"));
   }
@@ -105,7 +126,9 @@ HttpResponse welcome(Call& call, const SignInAnswer& answer) {
       call.desk.sessions().open(answer.actor, browserName(call.request.header("user-agent")),
                                 passwordStamp(call.context, answer.actor.userId), call.now);
   const auto session = call.desk.sessions().find(cookie, call.now);
-  HttpResponse response = jsonAnswer({{"outcome", "ok"}, {"token", session->token}, {"user", user}});
+  json told{{"outcome", "ok"}, {"token", session->token}, {"user", user}};
+  told.update(more);
+  HttpResponse response = jsonAnswer(told);
   response.headers.emplace_back("Set-Cookie", cookieOf(cookie));
   response.headers.emplace_back(
       "Set-Cookie",
@@ -118,19 +141,48 @@ HttpResponse welcome(Call& call, const SignInAnswer& answer) {
 HttpResponse answerSignIn(Call& call) {
   const std::string login = call.body.text("login", kLongestLogin);
   const std::string password = call.body.text("password", kLongestPassword);
-  return welcome(call, signIn(call.context, login, password, placeOf(call, login)));
+  const std::string code = call.body.textOrNone("code", kLongestCode);
+  return welcome(call, signIn(call.context, login, password, placeOf(call, login), code));
 }
 
 HttpResponse answerPassword(Call& call) {
-  const std::string login = call.body.text("login", kLongestLogin);
-  const std::string oldPassword = call.body.text("oldPassword", kLongestPassword);
-  const std::string newPassword = call.body.text("newPassword", kLongestPassword);
-  const SignInAnswer changed =
-      changeOwnPassword(call.context, login, oldPassword, newPassword, placeOf(call, login));
+  const PasswordChange change{.login = call.body.text("login", kLongestLogin),
+                              .oldPassword = call.body.text("oldPassword", kLongestPassword),
+                              .newPassword = call.body.text("newPassword", kLongestPassword),
+                              .code = call.body.textOrNone("code", kLongestCode)};
+  const SignInAnswer changed = changeOwnPassword(call.context, change, placeOf(call, change.login));
   if (changed.outcome == SignIn::kOk) {
     call.desk.sessions().closeAll(changed.actor.userId);
   }
   return welcome(call, changed);
+}
+
+/// Switches the second factor on, at the sign-in that asks for it or on request, and signs in.
+HttpResponse answerSwitchOn(Call& call) {
+  const std::string login = call.body.text("login", kLongestLogin);
+  const SecondFactorStart start =
+      switchOnSecondFactor(call.context, {.login = login,
+                                          .password = call.body.text("password", kLongestPassword),
+                                          .secret = call.body.text("secret", kLongestCode),
+                                          .code = call.body.text("code", kLongestCode),
+                                          .place = placeOf(call, login)});
+  call.desk.sessions().closeAll(start.answer.actor.userId);
+  return welcome(call, start.answer, {{"recovery_codes", start.recoveryCodes}});
+}
+
+/// Returns whether the user's second factor is on; if not, what to set it up with.
+HttpResponse answerSecondFactor(Call& call) {
+  const OwnSecondFactor own = ownSecondFactor(call.context);
+  return jsonAnswer({{"on", own.on},
+                     {"asked", own.asked},
+                     {"recovery_codes_left", own.recoveryCodes},
+                     {"offer", own.on ? json(nullptr) : offerJson(call, call.session->actor.login)}});
+}
+
+HttpResponse answerSwitchOff(Call& call) {
+  switchOffSecondFactor(call.context, call.body.text("password", kLongestPassword),
+                        call.body.text("code", kLongestCode));
+  return answerSecondFactor(call);
 }
 
 /// Redeems an invitation link with a password; all faults of a link get the same answer.
@@ -224,6 +276,13 @@ std::vector<Route> signInRoutes() {
           hashing("/api/sign-in", answerSignIn),
           hashing("/api/password", answerPassword),
           hashing("/api/join", answerJoin),
+          hashing("/api/second-factor", answerSwitchOn),
+          {"GET", "/api/second-factor", RouteAccess::kSignedIn, answerSecondFactor},
+          {.method = "POST",
+           .path = "/api/second-factor/off",
+           .access = RouteAccess::kSignedIn,
+           .answer = answerSwitchOff,
+           .hashing = Hashing::kAlways},
           {"POST", "/api/sign-out", RouteAccess::kSignedIn, answerSignOut},
           {"GET", "/api/me", RouteAccess::kSignedIn, answerMe}};
 }

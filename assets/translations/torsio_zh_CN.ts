@@ -79,6 +79,25 @@
     </message>
 </context>
 <context>
+    <name>CodeDialog</name>
+    <message>
+        <source>Second factor</source>
+        <translation>第二因素</translation>
+    </message>
+    <message>
+        <source>Your password is right. Type the six digits that your authenticator app shows now.</source>
+        <translation>密码正确。请输入身份验证器应用此刻显示的六位数字。</translation>
+    </message>
+    <message>
+        <source>&amp;Code from your app, or a recovery code</source>
+        <translation>应用中的动态码，或一个恢复码(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Sign in</source>
+        <translation>登录(&amp;S)</translation>
+    </message>
+</context>
+<context>
     <name>CopiesText</name>
     <message>
         <source>These copies still contain this person; Torsio does not delete them:</source>
@@ -11097,8 +11116,8 @@
         <translation>该记录属于另一个系统账号</translation>
     </message>
     <message>
-        <source>Run the command as its owner, or sign in with --as LOGIN</source>
-        <translation>请以其所有者身份运行命令，或用 --as LOGIN 登录</translation>
+        <source>Run the command as its owner, or sign in with --login NAME</source>
+        <translation>请以其所有者身份运行命令，或用 --login NAME 登录</translation>
     </message>
     <message>
         <source>the start password must be changed first</source>
@@ -11113,8 +11132,8 @@
         <translation>登录名或密码不正确，或账号已停用</translation>
     </message>
     <message>
-        <source>Give --as LOGIN, or --as-system as the owner of the record</source>
-        <translation>请给出 --as LOGIN，或以记录所有者身份使用 --as-system</translation>
+        <source>Give --login NAME, or --as-system as the owner of the record</source>
+        <translation>请给出 --login NAME，或以记录所有者身份使用 --as-system</translation>
     </message>
     <message>
         <source>an SQLite file has no roles of its own</source>
@@ -20195,8 +20214,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>用另一中心的记录替换本记录需要两人</translation>
     </message>
     <message>
-        <source>Sign in with --as, and a second administrator with --with</source>
-        <translation>请用 --as 登录，并用 --with 指定第二位管理员</translation>
+        <source>Sign in with --login, and a second administrator with --with</source>
+        <translation>请用 --login 登录，并用 --with 指定第二位管理员</translation>
     </message>
     <message>
         <source>Choose the file that torsio audit wrote</source>
@@ -20475,8 +20494,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>此数据包中有真实人员</translation>
     </message>
     <message>
-        <source>Sign in with --as LOGIN, or give --as-system as the owner of the record</source>
-        <translation>请用 --as 登录名 登录，或以记录所有者身份加上 --as-system</translation>
+        <source>Sign in with --login NAME, or give --as-system as the owner of the record</source>
+        <translation>请用 --login NAME 登录，或以记录所有者身份加上 --as-system</translation>
     </message>
     <message>
         <source>Write one to eight capital Latin letters, digits or hyphens, a letter first</source>
@@ -21271,8 +21290,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>离开视野时间为所有操作之和。路径和静止时间不计这段时间；离开视野超过 5 % 的操作两者都没有。</translation>
     </message>
     <message>
-        <source>On the real arm, recorded by the tracker</source>
-        <translation>实物手臂训练（由跟踪器记录）</translation>
+        <source>Movements recorded outside the simulator</source>
+        <translation>模拟器以外记录的动作</translation>
     </message>
     <message>
         <source>not an address of a time stamp authority</source>
@@ -22261,6 +22280,178 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>How often is this wrong?</source>
         <translation>这有多大可能判错？</translation>
+    </message>
+    <message>
+        <source>somebody else saved this at the same moment</source>
+        <translation>其他人在同一时刻保存了此内容</translation>
+    </message>
+    <message>
+        <source>Load the page again and look before you save</source>
+        <translation>请重新加载页面，查看后再保存</translation>
+    </message>
+    <message>
+        <source>this account has a second factor already</source>
+        <translation>该账户已设置第二因素</translation>
+    </message>
+    <message>
+        <source>Switch it off first</source>
+        <translation>请先将其关闭</translation>
+    </message>
+    <message>
+        <source>this is not the code of this secret</source>
+        <translation>这不是该密钥的动态码</translation>
+    </message>
+    <message>
+        <source>code</source>
+        <translation>动态码</translation>
+    </message>
+    <message>
+        <source>Type the code that is shown now; compare the clocks of phone and computer</source>
+        <translation>请输入此刻显示的动态码；并核对手机与计算机的时钟</translation>
+    </message>
+    <message>
+        <source>second factor</source>
+        <translation>第二因素</translation>
+    </message>
+    <message>
+        <source>this account has no second factor</source>
+        <translation>该账户没有第二因素</translation>
+    </message>
+    <message>
+        <source>There is nothing to do</source>
+        <translation>无需操作</translation>
+    </message>
+    <message>
+        <source>the code of your second factor is missing</source>
+        <translation>缺少第二因素的动态码</translation>
+    </message>
+    <message>
+        <source>Type the six digits that your app shows, or a recovery code</source>
+        <translation>请输入应用显示的六位数字，或一个恢复码</translation>
+    </message>
+    <message>
+        <source>the code is not right, or was used before</source>
+        <translation>动态码不正确，或已使用过</translation>
+    </message>
+    <message>
+        <source>Wait for the next one, or use a recovery code</source>
+        <translation>请等待下一个动态码，或使用一个恢复码</translation>
+    </message>
+    <message>
+        <source>Sign in, and choose a password of your own</source>
+        <translation>请登录，并设置自己的密码</translation>
+    </message>
+    <message>
+        <source>the centre asks for a second factor, which this account has not</source>
+        <translation>本中心要求第二因素，而该账户尚未设置</translation>
+    </message>
+    <message>
+        <source>Sign in once in the window or the browser, and set it up</source>
+        <translation>请在窗口或浏览器中登录一次并完成设置</translation>
+    </message>
+    <message>
+        <source>the code of the second factor is not right, or was used before</source>
+        <translation>第二因素的动态码不正确，或已使用过</translation>
+    </message>
+    <message>
+        <source>Second factor switched on</source>
+        <translation>已开启第二因素</translation>
+    </message>
+    <message>
+        <source>Second factor switched off</source>
+        <translation>已关闭第二因素</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Code from your app, or a recovery code</source>
+        <translation>应用中的动态码，或一个恢复码</translation>
+    </message>
+    <message>
+        <source>For another phone, or for new recovery codes, switch it off and on again.</source>
+        <translation>若要换手机或获取新的恢复码，请关闭后重新开启。</translation>
+    </message>
+    <message>
+        <source>I have taken them down</source>
+        <translation>我已记下</translation>
+    </message>
+    <message>
+        <source>It is on. Recovery codes not used yet: %1.</source>
+        <translation>已开启。尚未使用的恢复码：%1 个。</translation>
+    </message>
+    <message>
+        <source>Open an app on this device</source>
+        <translation>在本设备上打开应用</translation>
+    </message>
+    <message>
+        <source>QR code of the secret</source>
+        <translation>密钥的二维码</translation>
+    </message>
+    <message>
+        <source>Recovery codes</source>
+        <translation>恢复码</translation>
+    </message>
+    <message>
+        <source>Scan this picture with an authenticator app on your phone, or type the secret into it.</source>
+        <translation>请用手机上的身份验证器应用扫描此图，或在应用中输入密钥。</translation>
+    </message>
+    <message>
+        <source>Second factor</source>
+        <translation>第二因素</translation>
+    </message>
+    <message>
+        <source>Second factor: a code from your phone at sign-in</source>
+        <translation>第二因素：登录时输入手机上的动态码</translation>
+    </message>
+    <message>
+        <source>Set up the second factor</source>
+        <translation>设置第二因素</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>开启</translation>
+    </message>
+    <message>
+        <source>The centre asks you for a second factor: signing in takes your password and a code from your phone.</source>
+        <translation>本中心要求您使用第二因素：登录时需要密码和手机上的动态码。</translation>
+    </message>
+    <message>
+        <source>The centre asks you for it: after switching it off, the next sign-in sets it up again, on another phone for example.</source>
+        <translation>本中心要求您使用它：关闭后，下次登录时需重新设置，例如改用另一部手机。</translation>
+    </message>
+    <message>
+        <source>The second factor is off</source>
+        <translation>第二因素已关闭</translation>
+    </message>
+    <message>
+        <source>The second factor is on</source>
+        <translation>第二因素已开启</translation>
+    </message>
+    <message>
+        <source>The second factor is on. Without your phone, each of these codes signs you in once. They are shown only now: print them or write them down, and keep them away from this computer.</source>
+        <translation>第二因素已开启。手机不在身边时，每个恢复码可登录一次。恢复码只在此刻显示：请打印或抄写，并与本计算机分开保管。</translation>
+    </message>
+    <message>
+        <source>The six digits that the app shows now</source>
+        <translation>应用此刻显示的六位数字</translation>
+    </message>
+    <message>
+        <source>With it, your password alone opens nothing: signing in also asks for a code from your phone.</source>
+        <translation>开启后，仅凭密码无法登录：登录时还需输入手机上的动态码。</translation>
+    </message>
+    <message>
+        <source>Your password is right. Type the six digits that your authenticator app shows now.</source>
+        <translation>密码正确。请输入身份验证器应用此刻显示的六位数字。</translation>
+    </message>
+    <message>
+        <source>For %1, %2 minutes on the simulator are noted per trainee on average, but the recorded runs last only %3 {minute|minutes}: most of the training is not in the record.</source>
+        <translation>%1：每名学员平均登记了 %2 分钟的模拟器训练，但录制的操作平均仅 %3 分钟：大部分训练不在记录中。</translation>
     </message>
 </context>
 <context>
@@ -23881,6 +24072,22 @@ MSM = 质点弹簧</translation>
         <source>Raters see the panel&apos;s marks only after all their own sheets of the occasion</source>
         <translation>评分者交齐自己在该时点的全部评分表后，才能看到其他评分者的评分</translation>
     </message>
+    <message>
+        <source>Second f&amp;actor asked of</source>
+        <translation>要求使用第二因素的人员(&amp;J)</translation>
+    </message>
+    <message>
+        <source>nobody</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>administrators</source>
+        <translation>管理员</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>所有人</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CohortDialog</name>
@@ -25419,6 +25626,10 @@ Leave it empty to remove it.</source>
         <source>The demonstration data were removed</source>
         <translation>演示数据已删除</translation>
     </message>
+    <message>
+        <source>Second factor…</source>
+        <translation>第二因素…</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DetorsionCard</name>
@@ -26235,6 +26446,30 @@ Leave it empty to remove it.</source>
     <message>
         <source>Only an administrator can end the kiosk</source>
         <translation>只有管理员可以结束自助终端模式</translation>
+    </message>
+    <message>
+        <source>The code is not right, or was used before. Wait for the next one, or use a recovery code</source>
+        <translation>动态码不正确，或已使用过。请等待下一个动态码，或使用一个恢复码</translation>
+    </message>
+    <message>
+        <source>The centre asks you for a second factor: signing in takes your password and a code from your phone.</source>
+        <translation>本中心要求您使用第二因素：登录时需要密码和手机上的动态码。</translation>
+    </message>
+    <message>
+        <source>The second factor is off</source>
+        <translation>第二因素已关闭</translation>
+    </message>
+    <message>
+        <source>With it, your password alone opens nothing: signing in also asks for a code from your phone.</source>
+        <translation>开启后，仅凭密码无法登录：登录时还需输入手机上的动态码。</translation>
+    </message>
+    <message>
+        <source>The second factor is on</source>
+        <translation>第二因素已开启</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>正在检查…</translation>
     </message>
 </context>
 <context>
@@ -29497,6 +29732,10 @@ Its public part, to be kept where checkpoints are checked: %2</source>
     <message>
         <source>Repeat p&amp;assword</source>
         <translation>重复密码(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Code from your app, or a recovery code</source>
+        <translation>应用中的动态码，或一个恢复码(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -33047,6 +33286,92 @@ Looking at results before the end of a study makes false findings more likely; e
     </message>
 </context>
 <context>
+    <name>torsio::gui::SecondFactorDialog</name>
+    <message>
+        <source>The centre asks you for a second factor: signing in takes your password and a code from your phone.</source>
+        <translation>本中心要求您使用第二因素：登录时需要密码和手机上的动态码。</translation>
+    </message>
+    <message>
+        <source>Second factor</source>
+        <translation>第二因素</translation>
+    </message>
+    <message>
+        <source>Scan this picture with an authenticator app on your phone, or type the secret into it.</source>
+        <translation>请用手机上的身份验证器应用扫描此图，或在应用中输入密钥。</translation>
+    </message>
+    <message>
+        <source>QR code of the secret</source>
+        <translation>密钥的二维码</translation>
+    </message>
+    <message>
+        <source>Secret</source>
+        <translation>密钥</translation>
+    </message>
+    <message>
+        <source>Copy as an &amp;address (otpauth)</source>
+        <translation>复制为地址（otpauth）(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Your &amp;password</source>
+        <translation>您的密码(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The six &amp;digits that the app shows now</source>
+        <translation>应用此刻显示的六位数字(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Switch on</source>
+        <translation>开启(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Recovery codes</source>
+        <translation>恢复码</translation>
+    </message>
+    <message>
+        <source>The second factor is on. Without your phone, each of these codes signs you in once. They are shown only now: print them or write them down, and keep them away from this computer.</source>
+        <translation>第二因素已开启。手机不在身边时，每个恢复码可登录一次。恢复码只在此刻显示：请打印或抄写，并与本计算机分开保管。</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>I have &amp;taken them down</source>
+        <translation>我已记下(&amp;T)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SecondFactorStateDialog</name>
+    <message>
+        <source>Second factor</source>
+        <translation>第二因素</translation>
+    </message>
+    <message>
+        <source>It is on. Recovery codes not used yet: %1.</source>
+        <translation>已开启。尚未使用的恢复码：%1 个。</translation>
+    </message>
+    <message>
+        <source>The centre asks you for it: after switching it off, the next sign-in sets it up again, on another phone for example.</source>
+        <translation>本中心要求您使用它：关闭后，下次登录时需重新设置，例如改用另一部手机。</translation>
+    </message>
+    <message>
+        <source>For another phone, or for new recovery codes, switch it off and on again.</source>
+        <translation>若要换手机或获取新的恢复码，请关闭后重新开启。</translation>
+    </message>
+    <message>
+        <source>Your &amp;password</source>
+        <translation>您的密码(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Code from your app, or a recovery code</source>
+        <translation>应用中的动态码，或一个恢复码(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Switch off</source>
+        <translation>关闭(&amp;S)</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::Settling</name>
     <message numerus="yes">
         <source>%n recording(s) of this station could not be stored</source>
@@ -34276,8 +34601,8 @@ T-02,master,17</translation>
         <translation>%1。水平：%2。%3</translation>
     </message>
     <message>
-        <source>On the real arm, recorded by the tracker</source>
-        <translation>实物手臂训练（由跟踪器记录）</translation>
+        <source>Movements recorded outside the simulator</source>
+        <translation>模拟器以外记录的动作</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
@@ -34604,10 +34929,6 @@ T-02,master,17</translation>
         <translation>新的初始密码</translation>
     </message>
     <message>
-        <source>The present password of %1 stops working at once.</source>
-        <translation>%1 的当前密码立即失效。</translation>
-    </message>
-    <message>
         <source>Disable user</source>
         <translation>停用用户</translation>
     </message>
@@ -34734,6 +35055,14 @@ T-02,master,17</translation>
     <message>
         <source>Let physicians score from their browsers: opens and closes the review desk here.</source>
         <translation>让医师在自己的浏览器中评分：在此开放或关闭评分台。</translation>
+    </message>
+    <message>
+        <source>own, and a code</source>
+        <translation>自己的，另加动态码</translation>
+    </message>
+    <message>
+        <source>The present password of %1 stops working at once, and a second factor is removed.</source>
+        <translation>%1 的现有密码立即失效，第二因素也会被移除。</translation>
     </message>
 </context>
 <context>

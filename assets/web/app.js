@@ -20,6 +20,7 @@ import { problemText } from './problem.js';
 import { QueuePage } from './queue_page.js';
 import { RunPage } from './run_page.js';
 import { SeverityPage } from './severity_page.js';
+import { SecondFactorPage } from './second_factor_page.js';
 import { SessionsPage } from './sessions_page.js';
 import { putJoinForm, putSignInForm } from './sign_in_form.js';
 import { chooseLanguage, language, locale, t, useTexts, wantedLanguage } from './texts.js';
@@ -69,6 +70,7 @@ const kPages = [
   { hash: '#scored', of: 'board', title: () => t('Who has scored what'), make: () => new BoardPage(frame, true) },
   { hash: '#invitations', of: 'people', title: () => t('Invitations'), make: () => new InvitationsPage(frame) },
   { hash: '#signed-in', of: 'people', title: () => t('Signed in now'), make: () => new SessionsPage(frame, true) },
+  { hash: '#second-factor', of: '', title: () => t('Second factor'), make: () => new SecondFactorPage(frame) },
   { hash: '#sessions', of: '', title: () => t('Your sessions'), make: () => new SessionsPage(frame, false) },
 ];
 
@@ -89,6 +91,11 @@ const frame = {
     }
   },
   active: () => idle.note(),
+  /// To be called when the session was opened anew for the same user.
+  entered(answer) {
+    useToken(answer.token);
+    user = answer.user;
+  },
   get login() {
     return user?.login ?? '';
   },

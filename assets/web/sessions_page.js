@@ -39,6 +39,7 @@ export class SessionsPage {
       h('p', { class: 'quiet' }, this.all
         ? t('Everybody who is signed in with a browser. Ending a session keeps every draft; the person can sign in again.')
         : t("Where you are signed in with a browser. End any session you don't recognise, then change your password.")),
+      ...(this.all ? [] : [h('p', {}, h('a', { href: '#second-factor' }, t('Second factor: a code from your phone at sign-in')))]),
       h('div', { class: 'card wide-table', tabindex: '0' }, h('table', { class: 'sessions' },
         h('thead', {}, h('tr', {}, heads.map((head) => (head ? h('th', { scope: 'col' }, head) : h('td', {}))))),
         h('tbody', {}, sessions.map((one) => this.#line(one))))));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sign-in form: name and password; a new password at the first visit or if it must be changed. Also used to
-// unlock.
+// Sign-in form: name and password; then the code of a second factor; a new password at the first visit or if
+// it must be changed. Also used to unlock.
 import { api, NoConnection } from './api.js';
 import { button, field, h, say, show } from './dom.js';
 import { clockTime, joinedSentences } from './numbers.js';
 import { problemText } from './problem.js';
+import { putCodeForm, putSetUp } from './second_factor.js';
 import { t } from './texts.js';
 
 export const kShortestPassword = 15;
@@ -65,11 +66,12 @@ export function putSignInForm(place, { login = '', action = t('Sign in'), ready 
         (words) => say(said, words));
       say(said, '');
       secret.input.value = '';
-      if (answer.outcome === 'must_change') {
-        putPasswordForm(place, { login: given.login, oldPassword: given.password, onSignedIn });
-        return;
-      }
-      onSignedIn(answer);
+      goOn(place, answer, {
+        given,
+        action,
+        onBack: () => putSignInForm(place, { login, action, onSignedIn }),
+        onSignedIn,
+      });
     } catch (error) {
       say(said, problemText(error));
       waitFor(error.status === 429 ? error.wait_s : 0);
@@ -88,6 +90,32 @@ export function putSignInForm(place, { login = '', action = t('Sign in'), ready 
       go.disabled = false;
       say(said, t('You may try again now'));
     }, 1000 * seconds);
+  }
+}
+
+/// What follows a right password: nothing more, a new password, the code of the second factor, or setting that
+/// up. `given`: {login, password} that were right.
+function goOn(place, answer, { given, action, onBack, onSignedIn }) {
+  const again = (next) => goOn(place, next, { given, action, onBack, onSignedIn });
+  if (answer.outcome === 'must_change') {
+    putPasswordForm(place, { login: given.login, oldPassword: given.password, onSignedIn });
+  } else if (answer.outcome === 'code_needed') {
+    putCodeForm(place, {
+      action,
+      send: async (code) => again(await api.post('/api/sign-in', { ...given, code }, { quiet: true, patience_ms: kPatience_ms })),
+      onBack,
+    });
+  } else if (answer.outcome === 'must_enrol') {
+    putSetUp(place, {
+      offer: answer.offer,
+      why: t('The centre asks you for a second factor: signing in takes your password and a code from your phone.'),
+      password: given.password,
+      send: (wish) => api.post('/api/second-factor', wish, { quiet: true, patience_ms: kPatience_ms }),
+      onDone: (entered) => (entered.token ? onSignedIn(entered) : onBack()), // no page here for this person
+      onBack,
+    });
+  } else {
+    onSignedIn(answer);
   }
 }
 
@@ -164,7 +192,13 @@ function putNewPassword(place, { title, heading = 'h2', words, login = '', field
     }
     go.disabled = true;
     try {
-      onSignedIn(await send(fresh.input.value));
+      const answer = await send(fresh.input.value);
+      goOn(place, answer, {
+        given: { login: login || answer.offer?.login, password: fresh.input.value },
+        action: t('Sign in'),
+        onBack,
+        onSignedIn,
+      });
     } catch (error) {
       say(said, problemText(error));
       go.disabled = false;

@@ -211,6 +211,7 @@ const std::map<std::string, std::set<std::string>>& privateLibraries() {
       {"sodium",
        {"sim/core", "db/repository/base", "db/repository/people", "app/services/access",
         "app/services/maintenance", "app/web"}},
+      {"openssl/", {"db/repository/people", "app/services/maintenance"}},
       {"gnutls", {"app/web"}},
       {"qrencode", {"app/services/access"}},
       {"microhttpd", {"app/web"}},

@@ -4,11 +4,15 @@
 PICTURES] [NAME ...]` runs all scenarios or those whose names contain a word. Exit status 1 on failure, 77
 if there is no such browser."""
 import argparse
+import base64
 import contextlib
+import hashlib
+import hmac
 import os
 import pathlib
 import shutil
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -217,7 +221,8 @@ PAGES = {"physician0": {"queue": "Your queue", "calibration": "Calibration", "se
                         "evaluation": "Evaluation", "sessions": "Your sessions"},
          "apprentice": {"own": "Your record", "remarks": "Remarks", "transcript": "Transcript"},
          "office": {"board": "Today's sessions", "scored": "Who has scored what",
-                    "invitations": "Invitations", "signed-in": "Signed in now"}}
+                    "invitations": "Invitations", "signed-in": "Signed in now",
+                    "second-factor": "Second factor"}}
 
 
 def test_a_remark_is_answered(kind, desk, pictures):
@@ -277,6 +282,51 @@ def test_an_administrator_invites(kind, desk, pictures):
         browser.keys("sent to the wrong address")
         browser.click(".actions button:not(.primary):enabled")
         browser.says(".notice", "The links no longer work")
+        check(f"the console is quiet: {browser.faults()}", not browser.faults())
+
+
+def code_of(secret, steps_ahead=0):
+    """The six digits of RFC 6238, as an authenticator app computes them."""
+    step = struct.pack(">Q", int(time.time()) // 30 + steps_ahead)
+    mac = hmac.new(base64.b32decode(secret), step, hashlib.sha1).digest()
+    at = mac[-1] & 15
+    return f"{(struct.unpack('>I', mac[at:at + 4])[0] & 0x7fffffff) % 10**6:06d}"
+
+
+def test_a_second_factor(kind, desk, pictures):
+    """Set up with an app, asked for at the next sign-in, and switched off with a recovery code."""
+    with kind(webgl=False) as browser:
+        browser.open(desk.url)
+        browser.there("[name=login]")
+        browser.keys("office", "Tab", PASSWORD, "Enter")
+        browser.there("nav.ways")
+        browser.run("location.hash = '#sessions'")
+        browser.click("a[href='#second-factor']")
+        browser.there(".qr")
+        secret = browser.text(".secret").replace(" ", "")
+        browser.picture(pictures / "second-factor.png")
+        browser.keys(PASSWORD, "Tab", "000000", "Enter")
+        browser.says(".said", "not the code")
+        browser.keys(code_of(secret), "Enter")  # the wrong one is selected
+        browser.there(".recovery")
+        recovery = browser.text(".recovery li:first-child")
+        browser.picture(pictures / "recovery-codes.png")
+        browser.keys("Tab", "Enter")
+        browser.says(".notice", "The second factor is on")
+        browser.click("header button")
+        browser.there("[name=login]")
+        browser.keys("office", "Tab", PASSWORD, "Enter")
+        browser.there("[name=code]")
+        browser.picture(pictures / "code.png")
+        browser.keys("000000", "Enter")
+        browser.says(".said", "not right")
+        browser.keys(code_of(secret, 1), "Enter")
+        browser.there("nav.ways")
+        browser.run("location.hash = '#second-factor'")
+        browser.says("form", "not used yet: 10")
+        browser.click("[name=password]")
+        browser.keys(PASSWORD, "Tab", recovery, "Enter")
+        browser.says(".notice", "The second factor is off")
         check(f"the console is quiet: {browser.faults()}", not browser.faults())
 
 

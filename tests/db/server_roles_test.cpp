@@ -19,7 +19,9 @@
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/people/one_time_code.h"
 #include "db/repository/people/person_data.h"
+#include "db/repository/people/second_factor_repository.h"
 #include "db/repository/people/signature_repository.h"
 #include "db/repository/people/stored_password.h"
 #include "db/repository/system/audit_verification.h"
@@ -567,6 +569,49 @@ TEST_F(ServerRolesTest, ASessionComesFromAPasswordThatTheServerCompares) {
   EXPECT_FALSE(passwordMatches(*connection_, stored, "another long password"));
 }
 
+TEST_F(ServerRolesTest, ASealedSecretIsSeenByItsAccountAlone) {
+  const std::string secret = newCodeSecret();
+  AccessRepository owner(*connection_, PasswordCost::kTest);
+  owner.setPassword("u-other", owner.sealPassword("u-other", kPassword), false);
+  connection_->execute("DELETE FROM second_factor");
+  const std::string seen = "SELECT count(*) FROM second_factor_secret";
+  const std::string known = "SELECT count(*) FROM second_factor";
+  const std::string dropped = "DELETE FROM second_factor WHERE user_id = 'u-other' RETURNING user_id";
+  Connection station = openRecord(stationLocator(), OpenMode::kReadWrite);
+  AccessRepository access(station, PasswordCost::kTest);
+  const SignInResult entered = access.signIn("u-other", kPassword, kSampleTime_us);
+  ASSERT_EQ(entered.outcome, SignIn::kOk);
+  tellSession(station, entered.serverToken);
+  SecondFactorRepository(station).add(
+      "u-other", sealedCodeSecret(secret, kPassword, "u-other", PasswordCost::kTest), 0, {}, kSampleTime_us);
+  access.endOwnServerSession();
+
+  EXPECT_EQ(access.signIn("u-other", kPassword, kSampleTime_us).outcome, SignIn::kCodeNeeded);
+  EXPECT_EQ(numberFrom(station, known), 0) << "no session is left";
+  EXPECT_EQ(access.signIn("u-other", kPassword, kSampleTime_us, "", oneTimeCode(secret, 7)).outcome,
+            SignIn::kCodeWrong);
+  EXPECT_EQ(
+      access.signIn("u-other", kPassword, kSampleTime_us, "", oneTimeCode(secret, codeStepAt(kSampleTime_us)))
+          .outcome,
+      SignIn::kOk);
+  EXPECT_EQ(as("nobody", seen), "0");
+  EXPECT_EQ(as("nobody", known), "0");
+  EXPECT_EQ(as("u-rater", known), "0");
+  EXPECT_EQ(as("u-office", seen), "0");
+  EXPECT_EQ(as("u-office", known), "1");
+  EXPECT_EQ(as("u-other", seen), "1");
+  EXPECT_NE(as("u-office",
+               "INSERT INTO second_factor (user_id, made_utc_us, last_step, recovery_codes)"
+               " VALUES ('u-rater', 1, 0, '')")
+                .find("row-level security"),
+            std::string::npos);
+  EXPECT_EQ(as("u-rater", dropped), "");
+  EXPECT_EQ(as("u-office", dropped), "") << "not alone";
+  const std::string request = requestOf("u-second", "reset_password", "u-other");
+  EXPECT_EQ(as("u-office", decisionOn(request, "u-office") + "; " + dropped), "u-other");
+  EXPECT_EQ(numberFrom(*connection_, seen), 0);
+}
+
 TEST_F(ServerRolesTest, PreparingHidesPasswordsThatWereStoredBefore) {
   const std::string hash = hashPassword(kPassword, PasswordCost::kTest);
   connection_->execute("UPDATE app_user SET password_hash = ?, pin_hash = ? WHERE id = 'u-rater'",
@@ -889,13 +934,21 @@ TEST_F(ServerRolesTest, WithoutASignInTheMatrixIsClosed) {
   static const std::set<std::string> kAdded{
       "trial",    "trial_chunk", "trial_end",      "trial_digest",    "exposure",    "station_state",
       "row_seal", "seal_salt",   "learning_event", "sign_in_failure", "record_copy", "audit_entry"};
-  static const std::set<std::string> kHidden{
-      "allocation",        "allocation_seed",  "composite_result", "draft_viewing",         "duty_request",
-      "enrolment",         "evaluation_draft", "evaluation_mark",  "evaluation_result",     "invitation",
-      "kiosk_code",        "mark_draft",       "mark_draft_row",   "mark_viewing",          "paper_entry",
-      "paper_entry_row",   "person_identity",  "rater_warmup",     "roster_import_person",  "seal_salt",
-      "self_score",        "self_score_row",   "training_group",   "training_group_result", "training_mark",
-      "training_mark_row", "training_result",  "watch_account"};
+  static const std::set<std::string> kHidden{"allocation",           "allocation_seed",
+                                             "composite_result",     "draft_viewing",
+                                             "duty_request",         "enrolment",
+                                             "evaluation_draft",     "evaluation_mark",
+                                             "evaluation_result",    "invitation",
+                                             "kiosk_code",           "mark_draft",
+                                             "mark_draft_row",       "mark_viewing",
+                                             "paper_entry",          "paper_entry_row",
+                                             "person_identity",      "rater_warmup",
+                                             "roster_import_person", "seal_salt",
+                                             "second_factor",        "second_factor_secret",
+                                             "self_score",           "self_score_row",
+                                             "training_group",       "training_group_result",
+                                             "training_mark",        "training_mark_row",
+                                             "training_result",      "watch_account"};
   sealSeeds();
   std::vector<std::string> tables;
   std::vector<Act> acts;

@@ -20,6 +20,7 @@
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/screen_lock.h"
+#include "app/gui/shell/second_factor_dialog.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/simulator/posed_states.h"
 #include "app/gui/widgets/icons.h"
@@ -146,7 +147,7 @@ class Cast {
     setCentreSetting<kPanelWaits>(session, false);  // the physician's queue is open, and so are discrepancies
     for (const StartAccount& account : accounts) {
       const SignInAnswer answer =
-          changeOwnPassword(session, account.login, account.startPassword, randomStartPassword());
+          changeOwnPassword(session, {account.login, account.startPassword, randomStartPassword()});
       actors_[account.role] = answer.actor;
     }
   }
@@ -193,8 +194,18 @@ void takePanels(Photographer& photographer) {
   });
   photographer.take(QStringLiteral("new-password"), [](ThemeKind, Language) {
     auto panel = std::make_unique<PasswordPanel>();
-    panel->begin(QStringLiteral("demo.trainee"), QStringLiteral("-"), true);
+    panel->begin(QStringLiteral("demo.trainee"), QStringLiteral("-"), true, false);
     return windowOf(std::move(panel));
+  });
+  photographer.take(QStringLiteral("second-factor"), [](ThemeKind, Language) {
+    const SecondFactorOffer offer{
+        .secret = "GEZDGNBVGY3TQOJQGEZDGNBVGY3TQOJQ",
+        .uri = "otpauth://totp/Torsio:demo?secret=GEZDGNBVGY3TQOJQGEZDGNBVGY3TQOJQ&issuer=Torsio"};
+    return windowOf(std::make_unique<SecondFactorDialog>(
+        offer,
+        SecondFactorDialog::tr("The centre asks you for a second factor: signing in takes your password and "
+                               "a code from your phone."),
+        true, [](const std::string&, const std::string&) { return std::vector<std::string>(); }));
   });
   photographer.take(QStringLiteral("locked"), [](ThemeKind, Language) {
     auto panel = std::make_unique<LockPanel>();

@@ -409,6 +409,7 @@ void Desk::retranslate() {
   userMenu_->clear();
   if (!actor.practiceOnly && actor.passwordShownUtc_us != kNoPasswordToShow) {
     userMenu_->addAction(tr("Change password\u2026"), this, &Desk::passwordChangeWanted);
+    userMenu_->addAction(tr("Second factor\u2026"), this, &Desk::secondFactorWanted);
     if (context_.may(Operation::kPractice)) {
       userMenu_->addAction(tr("PIN for practice\u2026"), this, &Desk::choosePin);
     }

@@ -87,6 +87,7 @@ class Desk : public QWidget {
   void signOutWanted();
   void lockWanted();
   void passwordChangeWanted();
+  void secondFactorWanted();
   void languageWanted(torsio::gui::Language language);
   void themeWanted(torsio::gui::ThemeKind kind);
   void shortcutsWanted();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/shell/entrance.h"
 
+#include <exception>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -11,10 +14,12 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/open_record.h"
 #include "app/gui/shell/password_panel.h"
+#include "app/gui/shell/second_factor_dialog.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/access/kiosk_codes.h"
+#include "app/services/access/second_factor.h"
 
 namespace torsio::gui {
 
@@ -49,11 +54,8 @@ Entrance::Entrance(Background& background, OpenRecord& record, QWidget* window)
       window_(window),
       signIn_(new SignInPanel(window)),
       password_(new PasswordPanel(window)) {
-  connect(signIn_, &SignInPanel::passwordGiven, this, [this](const QString& login, const QString& password) {
-    attempt(
-        [=](SessionContext& own) { return torsio::signIn(own, login.toStdString(), password.toStdString()); },
-        [=, this](const SignInAnswer& answer) { took(answer, login, password); });
-  });
+  connect(signIn_, &SignInPanel::passwordGiven, this,
+          [this](const QString& login, const QString& password) { tryPassword(login, password, {}); });
   connect(signIn_, &SignInPanel::pinGiven, this, [this](const QString& login, const QString& pin) {
     attempt(
         [=](SessionContext& own) { return signInForPractice(own, login.toStdString(), pin.toStdString()); },
@@ -76,6 +78,82 @@ void Entrance::attempt(Try attempt, Then then) {
       [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
 }
 
+void Entrance::tryPassword(const QString& login, const QString& password, const QString& code) {
+  attempt(
+      [=](SessionContext& own) {
+        return torsio::signIn(own, login.toStdString(), password.toStdString(), {}, code.toStdString());
+      },
+      [=, this](const SignInAnswer& answer) { took(answer, login, password); });
+}
+
+std::optional<QString> Entrance::codeAfter(SignIn outcome) {
+  signIn_->say({}, false);
+  return askCode(window_, outcome == SignIn::kCodeWrong
+                              ? tr("The code is not right, or was used before. Wait for the next one, or use "
+                                   "a recovery code")
+                              : QString());
+}
+
+void Entrance::enrol(const QString& login, const QString& password) {
+  signIn_->say({}, false);
+  SessionContext& session = *record_.session();
+  SecondFactorWish wish{.login = login.toStdString(), .password = password.toStdString()};
+  try {
+    const SecondFactorOffer offer = offerSecondFactor(session, wish.login);
+    wish.secret = offer.secret;
+    SecondFactorDialog dialog(
+        offer,
+        tr("The centre asks you for a second factor: signing in takes your password and a code from "
+           "your phone."),
+        false,
+        [&](const std::string&, const std::string& code) {
+          wish.code = code;
+          return switchOnSecondFactor(session, wish).recoveryCodes;
+        },
+        window_);
+    dialog.exec();
+  } catch (...) {
+    signIn_->say(problemSentence(std::current_exception()), true);
+  }
+  if (!session.actor().userId.empty()) {  // also if the codes were closed unread
+    Q_EMIT entered();
+  } else if (forced_) {
+    Q_EMIT password_->givenUp();  // the new password is in use: back to the sign-in
+  }
+  forced_ = false;
+}
+
+QString Entrance::changeSecondFactor() {
+  SessionContext& session = *record_.session();
+  const OwnSecondFactor own = ownSecondFactor(session);
+  if (own.on) {
+    SecondFactorStateDialog dialog(
+        own,
+        [&](const std::string& password, const std::string& code) {
+          switchOffSecondFactor(session, password, code);
+        },
+        window_);
+    return dialog.exec() == QDialog::Accepted ? tr("The second factor is off") : QString();
+  }
+  const SecondFactorOffer offer = offerSecondFactor(session, session.actor().login);
+  SecondFactorWish wish{.login = session.actor().login, .secret = offer.secret};
+  bool on = false;
+  SecondFactorDialog dialog(
+      offer,
+      tr("With it, your password alone opens nothing: signing in also asks for a code from your phone."),
+      true,
+      [&](const std::string& password, const std::string& code) {
+        wish.password = password;
+        wish.code = code;
+        std::vector<std::string> codes = switchOnSecondFactor(session, wish).recoveryCodes;
+        on = true;
+        return codes;
+      },
+      window_);
+  dialog.exec();
+  return on ? tr("The second factor is on") : QString();
+}
+
 void Entrance::tryCode(const QString& code) {
   attempt([code](SessionContext& own) { return signInWithCode(own, code.toStdString()); },
           [this](const SignInAnswer& answer) {
@@ -96,6 +174,16 @@ void Entrance::took(const SignInAnswer& answer, const QString& login, const QStr
       break;
     case SignIn::kMustChange:
       beginChange(login, password, true);
+      break;
+    case SignIn::kCodeNeeded:
+    case SignIn::kCodeWrong:
+      if (const auto code = codeAfter(answer.outcome)) {
+        signIn_->say(tr("Checking\u2026"), false);
+        tryPassword(login, password, *code);
+      }
+      break;
+    case SignIn::kMustEnrol:
+      enrol(login, password);
       break;
     case SignIn::kWrong:
       signIn_->say(tr("Name and password do not match. Please try again"), true);
@@ -122,21 +210,20 @@ void Entrance::changeOwnPassword() {
 
 void Entrance::beginChange(const QString& login, const QString& password, bool forced) {
   forced_ = forced;
-  password_->begin(login, password, forced);
+  password_->begin(login, password, forced, !forced && ownSecondFactor(*record_.session()).on);
   Q_EMIT passwordWanted();
 }
 
-void Entrance::change(const QString& login, const QString& oldPassword, const QString& newPassword) {
+void Entrance::change(const PasswordChange& change) {
   background_.run(
       record_.key(),
-      [=, cost = record_.session()->passwordCost()](SessionContext& own) {
+      [change, cost = record_.session()->passwordCost()](SessionContext& own) {
         own.setPasswordCost(cost);
-        return torsio::changeOwnPassword(own, login.toStdString(), oldPassword.toStdString(),
-                                         newPassword.toStdString());
+        return torsio::changeOwnPassword(own, change);
       },
-      [this, login](const SignInAnswer& answer) {
+      [this, change](const SignInAnswer& answer) {
         if (forced_) {
-          took(answer, login, {});
+          took(answer, toQString(change.login), toQString(change.newPassword));
         } else {
           Q_EMIT passwordChanged();
         }
@@ -148,23 +235,35 @@ void Entrance::change(const QString& login, const QString& oldPassword, const QS
 void Entrance::leaveKiosk() {
   CredentialsDialog dialog(tr("Leave kiosk mode"),
                            tr("An administrator ends the kiosk with name and password."), window_);
-  if (dialog.exec() != QDialog::Accepted) {
-    return;
+  if (dialog.exec() == QDialog::Accepted) {
+    tryLeaving(dialog.login(), dialog.password(), {});
   }
+}
+
+void Entrance::tryLeaving(const QString& login, const QString& password, const QString& code) {
+  struct Leaving {
+    SignIn outcome;
+    bool may;
+  };
   background_.run(
       record_.key(),
-      [login = dialog.login().toStdString(),
-       password = dialog.password().toStdString()](SessionContext& own) {
-        const bool known = torsio::signIn(own, login, password).outcome == SignIn::kOk;
-        const bool may = known && own.may(Operation::kSettingsEdit);
-        if (known) {
+      [=](SessionContext& own) {
+        Leaving leaving{
+            torsio::signIn(own, login.toStdString(), password.toStdString(), {}, code.toStdString()).outcome,
+            false};
+        if (leaving.outcome == SignIn::kOk) {
+          leaving.may = own.may(Operation::kSettingsEdit);
           torsio::signOut(own);
         }
-        return may;
+        return leaving;
       },
-      [this](bool may) {
-        if (may) {
+      [=, this](const Leaving& leaving) {
+        if (leaving.may) {
           Q_EMIT kioskEnded();
+        } else if (leaving.outcome == SignIn::kCodeNeeded || leaving.outcome == SignIn::kCodeWrong) {
+          if (const auto typed = codeAfter(leaving.outcome)) {
+            tryLeaving(login, password, *typed);
+          }
         } else {
           signIn_->say(tr("Only an administrator can end the kiosk"), true);
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include <QDialog>
 #include <QObject>
@@ -45,6 +46,9 @@ class Entrance : public QObject {
   [[nodiscard]] PasswordPanel& password() const noexcept { return *password_; }
   /// Lets the signed-in user choose another password.
   void changeOwnPassword();
+  /// Lets the signed-in user switch the second factor on or off. Returns a sentence about it; empty: nothing
+  /// has changed. Throws Error, DbError.
+  [[nodiscard]] QString changeSecondFactor();
   void setWorking(bool working);
 
  Q_SIGNALS:
@@ -61,11 +65,17 @@ class Entrance : public QObject {
   using Then = std::function<void(const SignInAnswer&)>;
   void attempt(Try attempt, Then then);
   void took(const SignInAnswer& answer, const QString& login, const QString& password);
+  void tryPassword(const QString& login, const QString& password, const QString& code);
+  /// Asks for the code that an attempt lacked; empty: given up.
+  [[nodiscard]] std::optional<QString> codeAfter(SignIn outcome);
+  /// The centre asks for a second factor: sets it up, and goes on to the desk.
+  void enrol(const QString& login, const QString& password);
   void tryCode(const QString& code);
   void enterAsGuest();
   void beginChange(const QString& login, const QString& password, bool forced);
-  void change(const QString& login, const QString& oldPassword, const QString& newPassword);
+  void change(const PasswordChange& change);
   void leaveKiosk();
+  void tryLeaving(const QString& login, const QString& password, const QString& code);
 
   Background& background_;
   OpenRecord& record_;

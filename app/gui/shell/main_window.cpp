@@ -412,6 +412,13 @@ void MainWindow::openDesk() {
     }
   });
   connect(desk_, &Desk::passwordChangeWanted, entrance_, &Entrance::changeOwnPassword);
+  connect(desk_, &Desk::secondFactorWanted, this, [this] {
+    attempt(desk_->context(), [this] {
+      if (const QString done = entrance_->changeSecondFactor(); !done.isEmpty()) {
+        desk_->context().notify(done);
+      }
+    });
+  });
   // Deferred, because the requesting page is destroyed with the desk.
   connect(&desk_->context(), &ShellContext::recordChangeWanted, this, [this](const RecordChange& change) {
     QTimer::singleShot(0, this, [this, change] { changeRecord(change); });

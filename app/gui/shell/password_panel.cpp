@@ -11,7 +11,6 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/services/access/access_service.h"
 #include "assessment/domain/people/password_rule.h"
 #include "sim/core/error.h"
 
@@ -31,12 +30,14 @@ PasswordPanel::PasswordPanel(QWidget* parent) : QWidget(parent) {
   old_ = secretField(this);
   new_ = secretField(this);
   again_ = secretField(this);
+  code_ = named(new QLineEdit(this), "code");
   column->addWidget(heading_);
   column->addWidget(why_);
   column->addSpacing(kSpace);
   oldLabel_ = addField(column, old_);
   newLabel_ = addField(column, new_);
   againLabel_ = addField(column, again_);
+  codeLabel_ = addField(column, code_);
   answer_ = sentence(this, false);
   column->addWidget(answer_);
   column->addSpacing(kSpace);
@@ -47,7 +48,7 @@ PasswordPanel::PasswordPanel(QWidget* parent) : QWidget(parent) {
   row->addStretch(1);
   row->addWidget(save_);
   column->addLayout(row);
-  for (QLineEdit* field : {old_, new_, again_}) {
+  for (QLineEdit* field : {old_, new_, again_, code_}) {
     connect(field, &QLineEdit::textChanged, this, &PasswordPanel::check);
     connect(field, &QLineEdit::returnPressed, this, &PasswordPanel::goOn);
   }
@@ -56,13 +57,15 @@ PasswordPanel::PasswordPanel(QWidget* parent) : QWidget(parent) {
   retranslate();
 }
 
-void PasswordPanel::begin(const QString& login, const QString& oldPassword, bool forced) {
+void PasswordPanel::begin(const QString& login, const QString& oldPassword, bool forced, bool asksCode) {
   login_ = login;
   known_ = oldPassword;
   forced_ = forced;
-  for (QLineEdit* field : {old_, new_, again_}) {
+  for (QLineEdit* field : {old_, new_, again_, code_}) {
     field->clear();
   }
+  codeLabel_->setVisible(asksCode);
+  code_->setVisible(asksCode);
   oldLabel_->setVisible(known_.isEmpty());
   old_->setVisible(known_.isEmpty());
   retranslate();
@@ -96,11 +99,13 @@ void PasswordPanel::check() {
     }
   }
   say(problem);
-  save_->setEnabled(sound && !working_ && (!known_.isEmpty() || !old_->text().isEmpty()));
+  const bool proven = (!known_.isEmpty() || !old_->text().isEmpty()) &&
+                      (code_->isHidden() || !code_->text().trimmed().isEmpty());
+  save_->setEnabled(sound && !working_ && proven);
 }
 
 void PasswordPanel::goOn() {
-  for (QLineEdit* field : {old_, new_, again_}) {
+  for (QLineEdit* field : {old_, new_, again_, code_}) {
     if (field->isVisibleTo(this) && field->text().isEmpty()) {
       field->setFocus();
       return;
@@ -114,7 +119,10 @@ void PasswordPanel::submit() {
     return;
   }
   const QString old = known_.isEmpty() ? old_->text() : known_;
-  Q_EMIT chosen(login_, old, new_->text());
+  Q_EMIT chosen({.login = login_.toStdString(),
+                 .oldPassword = old.toStdString(),
+                 .newPassword = new_->text().toStdString(),
+                 .code = code_->text().trimmed().toStdString()});
 }
 
 void PasswordPanel::retranslate() {
@@ -126,6 +134,7 @@ void PasswordPanel::retranslate() {
   nameField(oldLabel_, tr("&Present password"));
   nameField(newLabel_, tr("&New password"));
   nameField(againLabel_, tr("Repeat p&assword"));
+  nameField(codeLabel_, tr("&Code from your app, or a recovery code"));
   back_->setText(forced_ ? tr("Back to sign-in") : tr("Cancel"));
   save_->setText(tr("Save password"));
 }

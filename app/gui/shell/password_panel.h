@@ -4,6 +4,8 @@
 #include <QString>
 #include <QWidget>
 
+#include "app/services/access/access_service.h"
+
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -19,12 +21,13 @@ class PasswordPanel : public QWidget {
   explicit PasswordPanel(QWidget* parent = nullptr);
 
   /// `oldPassword`: known after a sign-in that forces the change; otherwise empty, and asked for.
-  void begin(const QString& login, const QString& oldPassword, bool forced);
+  /// `asksCode`: the account has a second factor.
+  void begin(const QString& login, const QString& oldPassword, bool forced, bool asksCode);
   void say(const QString& sentence);
   void setWorking(bool working);
 
  Q_SIGNALS:
-  void chosen(const QString& login, const QString& oldPassword, const QString& newPassword);
+  void chosen(const torsio::PasswordChange& change);
   void givenUp();
 
  protected:
@@ -45,9 +48,11 @@ class PasswordPanel : public QWidget {
   QLabel* oldLabel_;
   QLabel* newLabel_;
   QLabel* againLabel_;
+  QLabel* codeLabel_;
   QLineEdit* old_;
   QLineEdit* new_;
   QLineEdit* again_;
+  QLineEdit* code_;
   QLabel* answer_;
   QPushButton* save_;
   QPushButton* back_;

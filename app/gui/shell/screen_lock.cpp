@@ -141,7 +141,7 @@ void ScreenLock::unlock(const QString& password) {
   background_.run(
       key_,
       [login = session_->actor().login, password = password.toStdString()](SessionContext& own) {
-        return torsio::signIn(own, login, password);
+        return signInAgain(own, login, password);
       },
       [this](const SignInAnswer& answer) {
         if (answer.outcome == SignIn::kOk && answer.actor.userId == session_->actor().userId) {

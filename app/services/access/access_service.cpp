@@ -2,10 +2,12 @@
 #include "app/services/access/access_service.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/centre_settings.h"
+#include "app/services/access/sign_in_steps.h"
 #include "app/services/access/signing.h"
 #include "app/services/access/two_people.h"
 #include "app/services/base/identifiers.h"
@@ -14,6 +16,8 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/people/one_time_code.h"
+#include "db/repository/people/second_factor_repository.h"
 #include "db/repository/people/server_roles.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
@@ -25,11 +29,6 @@ namespace {
 
 AccessRepository repository(SessionContext& session) {
   return AccessRepository(session.connection(), session.passwordCost());
-}
-
-/// Opens accounts for sign-in: the secret being checked is the authorisation.
-AccessRepository signInAccess(SessionContext& session) {
-  return AccessRepository(session.connectionWithoutRight(), session.passwordCost());
 }
 
 /// Throws unless an active administrator would remain.
@@ -45,60 +44,18 @@ void requireRemainingAdministrator(SessionContext& session, const std::string& w
                   Text::tr("Make somebody else an administrator first"));
 }
 
-const char* failureName(SignIn outcome) {
-  switch (outcome) {
-    case SignIn::kWait:
-      return "too many failures";
-    case SignIn::kDisabled:
-      return "disabled";
-    default:
-      return "wrong";
-  }
+/// The secret of the second factor, sealed under the new password; empty: there is none, or the old password
+/// does not open it.
+std::string resealedCode(Connection& connection, const PasswordChange& change, const UserId& userId,
+                         PasswordCost cost) {
+  const std::optional<SecondFactor> factor = SecondFactorRepository(connection).find(userId);
+  const std::string secret = factor ? openedCodeSecret(factor->sealed, change.oldPassword, userId) : "";
+  return secret.empty() ? "" : sealedCodeSecret(secret, change.newPassword, userId, cost);
 }
 
-/// Audits a failure without the typed text: an unknown login may be a password typed into the wrong field.
-void noteFailure(SessionContext& session, const std::string& login, SignIn outcome, const char* with) {
-  UserId userId;
-  for (const UserAccount& user : signInAccess(session).users()) {
-    if (user.login == login) {
-      userId = user.id;
-    }
-  }
-  session.note(AuditAction::kUserSignInFailed, AuditObject::kAppUser, userId,
-               {{"outcome", failureName(outcome)}, {"with", with}});
-}
-
-SignInAnswer answer(SessionContext& session, const std::string& login, const SignInResult& result,
-                    bool practiceOnly) {
-  SignInAnswer answer{result.outcome, {}, result.waitUntilUtc_us};
-  if (result.outcome != SignIn::kOk && result.outcome != SignIn::kMustChange) {
-    noteFailure(session, login, result.outcome, practiceOnly ? "pin" : "password");
-    return answer;
-  }
-  const UserAccount user = userOf(signInAccess(session).users(), result.userId);
-  // If every signature asks for the password, the sign-in itself does not count for any.
-  const bool signs = !practiceOnly && centreSetting<kSignMinutes>(session.connectionWithoutRight()) > 0;
-  answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly, signs ? session.now_us() : 0};
-  answer.actor.serverToken = result.serverToken;
-  if (result.outcome == SignIn::kOk) {
-    session.setActor(answer.actor);
-    session.note(practiceOnly ? AuditAction::kUserSignInPractice : AuditAction::kUserSignIn,
-                 AuditObject::kAppUser, user.id);
-  }
-  return answer;
-}
-
-/// Ends a session that a server opened only to compare a password.
-void endServerSession(SessionContext& session, const std::string& token) {
-  if (!token.empty()) {
-    Connection& connection = session.connectionWithoutRight();
-    tellSession(connection, token);
-    AccessRepository(connection).endOwnServerSession();
-  }
-}
-
-std::string placeOf(const SessionContext& session, const std::string& place) {
-  return place.empty() ? "station " + session.station() : place;
+/// What an audit entry says of a second factor that a new password removed.
+nlohmann::json removedJson(bool removed) {
+  return removed ? nlohmann::json{{"second_factor", "removed"}} : nlohmann::json();
 }
 
 nlohmann::json rolesJson(const std::vector<std::string>& roles) {
@@ -182,49 +139,76 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
 }
 
 SignInAnswer signIn(SessionContext& session, const std::string& login, const std::string& password,
-                    const std::string& place) {
-  return answer(session, login,
-                signInAccess(session).signIn(login, password, session.now_us(), placeOf(session, place)),
-                false);
+                    const std::string& place, const std::string& code) {
+  const SignInAnswer answer =
+      answerTo(session, login,
+               signInAccess(session).signIn(login, password, session.now_us(), placeOf(session, place), code),
+               SignInKind::kAnew);
+  if (answer.outcome == SignIn::kMustEnrol) {
+    endServerSession(session, answer.actor.serverToken);
+  }
+  return answer;
+}
+
+SignInAnswer signInAgain(SessionContext& session, const std::string& login, const std::string& password) {
+  return answerTo(session, login,
+                  signInAccess(session).signInAgain(login, password, session.now_us(), placeOf(session, {})),
+                  SignInKind::kAgain);
 }
 
 SignInAnswer signInForPractice(SessionContext& session, const std::string& login, const std::string& pin) {
-  return answer(session, login,
-                signInAccess(session).signInForPractice(login, pin, session.now_us(), placeOf(session, {})),
-                true);
+  return answerTo(session, login,
+                  signInAccess(session).signInForPractice(login, pin, session.now_us(), placeOf(session, {})),
+                  SignInKind::kPractice);
 }
 
-SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
-                               const std::string& oldPassword, const std::string& newPassword,
+SignInAnswer changeOwnPassword(SessionContext& session, const PasswordChange& change,
                                const std::string& place) {
   AccessRepository access = signInAccess(session);
-  const SignInResult old = access.signIn(login, oldPassword, session.now_us(), placeOf(session, place));
-  if (old.outcome != SignIn::kOk && old.outcome != SignIn::kMustChange) {
-    noteFailure(session, login, old.outcome, "password");
+  SignInResult known =
+      access.signIn(change.login, change.oldPassword, session.now_us(), placeOf(session, place), change.code);
+  if (known.outcome != SignIn::kOk && known.outcome != SignIn::kMustChange) {
+    if (known.outcome == SignIn::kCodeNeeded) {
+      refuseUnpassed(known, session.now_us());
+    }
+    noteFailure(session, change.login, known.outcome, "password");
+    if (known.outcome == SignIn::kCodeWrong) {
+      refuseUnpassed(known, session.now_us());
+    }
     throw Error(ErrorCode::kPermission, Text::tr("the present password is not right"), Text::tr("password"),
                 Text::tr("Try again"));
   }
-  if (newPassword == oldPassword) {
+  if (change.newPassword == change.oldPassword) {
     refuseParameter(Text::tr("the new password is the old one"), Text::tr("password"),
                     Text::tr("Choose another one"));
   }
-  const SealedSecret password = access.sealPassword(login, newPassword);
+  const SealedSecret password = access.sealPassword(change.login, change.newPassword);
   Connection& connection = session.connectionWithoutRight();
-  tellSession(connection, old.serverToken);
+  tellSession(connection, known.serverToken);
+  const std::string code = known.hasSecondFactor
+                               ? resealedCode(connection, change, known.userId, session.passwordCost())
+                               : std::string();
   Transaction transaction(connection);
-  access.setPassword(old.userId, password, false);
-  SignInAnswer signedIn = answer(
-      session, login, {.outcome = SignIn::kOk, .userId = old.userId, .serverToken = old.serverToken}, false);
-  session.note(AuditAction::kUserChangePassword, AuditObject::kAppUser, old.userId);
+  if (known.hasSecondFactor && code.empty()) {
+    access.setPassword(known.userId, password, false);  // a secret that nothing opens is of no use
+  } else {
+    access.changePassword(known.userId, password, code);
+  }
+  known.outcome = SignIn::kOk;
+  known.hasSecondFactor = !code.empty();
+  const SignInAnswer signedIn = answerTo(session, change.login, known, SignInKind::kAnew);
+  session.note(AuditAction::kUserChangePassword, AuditObject::kAppUser, known.userId);
   transaction.commit();
+  if (signedIn.outcome == SignIn::kMustEnrol) {
+    endServerSession(session, signedIn.actor.serverToken);
+  }
   return signedIn;
 }
 
 SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password) {
   const std::string login = session.actor().login;
-  // Not the place of signing in: whoever is not signed in cannot make this one wait.
   const SignInResult result =
-      signInAccess(session).signIn(login, password, session.now_us(), "signed in at " + session.station());
+      signInAccess(session).signInAgain(login, password, session.now_us(), placeWithin(session));
   if (result.outcome != SignIn::kOk) {
     noteFailure(session, login, result.outcome, "password");
   }
@@ -344,8 +328,8 @@ void resetPassword(SessionContext& session, const UserId& userId, const std::str
   }
   const SealedSecret password = access.sealPassword(user.login, startPassword);
   Transaction transaction(session.connection());
-  access.setPassword(userId, password, true);
-  session.note(AuditAction::kUserResetPassword, AuditObject::kAppUser, userId, {}, reason);
+  const bool removed = access.setPassword(userId, password, true);
+  session.note(AuditAction::kUserResetPassword, AuditObject::kAppUser, userId, removedJson(removed), reason);
   transaction.commit();
 }
 

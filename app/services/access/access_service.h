@@ -32,25 +32,35 @@ void setUpCentre(SessionContext& session, const FirstRun& first);
 /// Result of signing in.
 struct SignInAnswer {
   SignIn outcome = SignIn::kWrong;
-  Actor actor{};                     ///< for kOk and kMustChange
+  Actor actor{};                     ///< for kOk, kMustChange and kMustEnrol
   std::int64_t waitUntilUtc_us = 0;  ///< for kWait
 };
 
 /// Signs in with a password; for kOk the session then belongs to the actor. Audited; failures without the
 /// typed text. `place`: where it is tried, such as a browser's address; empty: this station. Failures make
-/// only this place wait, so nobody can keep the owner of an account out from elsewhere.
+/// only this place wait, so nobody can keep the owner of an account out from elsewhere. `code`: of the second
+/// factor, or a recovery code; empty: kCodeNeeded for an account that has one.
 [[nodiscard]] SignInAnswer signIn(SessionContext& session, const std::string& login,
-                                  const std::string& password, const std::string& place = {});
+                                  const std::string& password, const std::string& place = {},
+                                  const std::string& code = {});
+/// Like signIn() at this station, without a second factor: for the lock of somebody who is signed in here.
+[[nodiscard]] SignInAnswer signInAgain(SessionContext& session, const std::string& login,
+                                       const std::string& password);
 /// Signs in with the station PIN, only for practice without a record.
 [[nodiscard]] SignInAnswer signInForPractice(SessionContext& session, const std::string& login,
                                              const std::string& pin);
+struct PasswordChange {
+  std::string login{};
+  std::string oldPassword{};
+  std::string newPassword{};
+  std::string code{};  ///< see signIn()
+};
 /// Changes the password after kMustChange or on request, and signs in. Throws Error{kBadParameter} for a weak
-/// or unchanged password, {kPermission} if the old one is wrong. `place`: see signIn().
-SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
-                               const std::string& oldPassword, const std::string& newPassword,
+/// or unchanged password, {kPermission} if the old one or the code is wrong. `place`: see signIn().
+SignInAnswer changeOwnPassword(SessionContext& session, const PasswordChange& change,
                                const std::string& place = {});
-/// Checks the signed-in user's password; the session is unchanged. A failure counts and is audited like one
-/// at sign-in.
+/// Checks the signed-in user's password, as a signature does; the session is unchanged, and no second factor
+/// is asked for. A failure counts and is audited like one at sign-in.
 [[nodiscard]] SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password);
 void signOut(SessionContext& session);
 /// Roles that an administrator can preview.
@@ -81,8 +91,8 @@ UserId addUser(SessionContext& session, const NewUser& user);
 void setUserRoles(SessionContext& session, const UserId& userId, const std::vector<std::string>& roles,
                   const std::string& reason);
 void setUserActive(SessionContext& session, const UserId& userId, bool active, const std::string& reason);
-/// Sets a new start password, to be changed at the next sign-in. Throws SecondPersonNeeded if the user has a
-/// role that needs two people.
+/// Sets a new start password, to be changed at the next sign-in, and removes the second factor. Throws
+/// SecondPersonNeeded if the user has a role that needs two people.
 void resetPassword(SessionContext& session, const UserId& userId, const std::string& startPassword,
                    const std::string& reason);
 /// Sets the actor's station PIN; empty removes it.

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -63,6 +64,11 @@ std::optional<std::string> canonical(const CentreSetting& setting, const std::st
   if (setting.name == kCentreCode.name) {
     return written.empty() || isCentreCode(written) ? std::optional(written) : std::nullopt;
   }
+  if (setting.kind == SettingKind::kChoice) {
+    const std::vector<std::string> words = choicesOf(setting);
+    return std::find(words.begin(), words.end(), written) != words.end() ? std::optional(written)
+                                                                         : std::nullopt;
+  }
   if (setting.kind == SettingKind::kWords) {
     return static_cast<double>(written.size()) <= setting.most ? std::optional(written) : std::nullopt;
   }
@@ -90,6 +96,8 @@ Text range(const CentreSetting& setting) {
       return Text::tr("Enter a number from %1 to %2", least, most);
     case SettingKind::kSpeeds:
       return Text::tr("Write speeds from %1 to %2 like 0.5,1,1.5", least, most);
+    case SettingKind::kChoice:
+      return Text::tr("Choose one of %1", std::string(setting.choices));
     case SettingKind::kWords:
       break;
   }
@@ -117,6 +125,15 @@ void requireOrder(int warn_min, int lock_min) {
 
 }  // namespace
 
+std::vector<std::string> choicesOf(const CentreSetting& setting) {
+  std::istringstream in{std::string(setting.choices)};
+  std::vector<std::string> words;
+  for (std::string word; std::getline(in, word, ',');) {
+    words.push_back(word);
+  }
+  return words;
+}
+
 std::string asStored(const CentreSetting& setting, const std::vector<double>& numbers) {
   if (setting.kind == SettingKind::kYesNo) {
     return numbers.front() != 0.0 ? "yes" : "no";
@@ -137,7 +154,7 @@ bool validCentreSetting(const CentreSetting& setting, const std::string& written
 template <const CentreSetting& Setting>
 SettingValue<Setting.kind> centreSetting(Connection& connection) {
   const std::string value = inForce(connection, Setting);
-  if constexpr (Setting.kind == SettingKind::kWords) {
+  if constexpr (Setting.kind == SettingKind::kWords || Setting.kind == SettingKind::kChoice) {
     return value;
   } else if constexpr (Setting.kind == SettingKind::kSpeeds) {
     return numbersIn(Setting, value);
@@ -158,6 +175,7 @@ template int centreSetting<kCopyKeep_days>(Connection&);
 template bool centreSetting<kGradedWithMouse>(Connection&);
 template bool centreSetting<kSoundAtLimit>(Connection&);
 template bool centreSetting<kKioskCodes>(Connection&);
+template std::string centreSetting<kSecondFactor>(Connection&);
 template std::string centreSetting<kBrowserAddress>(Connection&);
 template std::string centreSetting<kMailServer>(Connection&);
 template bool centreSetting<kLearningRecords>(Connection&);

@@ -21,8 +21,8 @@ namespace torsio {
 class Connection;
 
 /// Type and stored format of a setting: "yes" or "no"; a number; ascending playback speeds including 1
-/// ("0.5,1,1.5"); a text.
-enum class SettingKind { kYesNo, kWhole, kNumber, kSpeeds, kWords };
+/// ("0.5,1,1.5"); a text; one of some words.
+enum class SettingKind { kYesNo, kWhole, kNumber, kSpeeds, kWords, kChoice };
 
 /// A setting of the centre, the same for all stations. Changing it requires kSettingsEdit and is audited with
 /// the old and the new value. Stored names never change.
@@ -36,6 +36,7 @@ struct CentreSetting {
   Phrase shown{};            ///< pattern of a number: "%1 min"
   bool inReport = false;     ///< stated in each report
   std::string_view setBy{};  ///< the only function that sets it, if it makes no sense without other settings
+  std::string_view choices{};  ///< of kChoice, in order, with commas between: "nobody,everybody"
 };
 
 namespace setting {
@@ -97,6 +98,17 @@ inline constexpr CentreSetting kSoundAtLimit =
     setting::yesNo("sound_at_limit", "no", Text::verbatim("A sound plays when a limit is reached"));
 inline constexpr CentreSetting kKioskCodes =
     setting::yesNo("kiosk_codes", "no", Text::verbatim("Kiosks admit trainees by the code on their card"));
+inline constexpr CentreSetting kSecondFactor{
+    "second_factor",
+    SettingKind::kChoice,
+    "nobody",
+    0,
+    0,
+    Text::verbatim("Who is asked for a second factor (nobody, administrators, everybody)"),
+    {},
+    false,
+    {},
+    "nobody,administrators,everybody"};
 inline constexpr CentreSetting kBrowserAddress =
     setting::words("browser_address", 200, Text::verbatim("Address of the review desk in invitations"),
                    "torsio invite --address");
@@ -116,20 +128,31 @@ inline constexpr CentreSetting kLanguage =
 inline constexpr CentreSetting kCentreCode =
     setting::words("centre.code", 8, Text::verbatim("Short code of the centre, as NJ in NJ/T-07"), "");
 
-inline constexpr std::array kCentreSettings{&kTwoPeople,       &kMinimumWatched_percent,
-                                            &kPlaybackSpeeds,  &kDiscrepancy_points,
-                                            &kPanelWaits,      &kSignMinutes,
-                                            &kIdleWarn_min,    &kIdleLock_min,
-                                            &kCopyKeep_days,   &kGradedWithMouse,
-                                            &kSoundAtLimit,    &kKioskCodes,
-                                            &kBrowserAddress,  &kMailServer,
-                                            &kLearningRecords, &kLearningRecordStore,
-                                            &kStampAuthority,  &kLanguage,
+inline constexpr std::array kCentreSettings{&kTwoPeople,
+                                            &kMinimumWatched_percent,
+                                            &kPlaybackSpeeds,
+                                            &kDiscrepancy_points,
+                                            &kPanelWaits,
+                                            &kSignMinutes,
+                                            &kIdleWarn_min,
+                                            &kIdleLock_min,
+                                            &kCopyKeep_days,
+                                            &kGradedWithMouse,
+                                            &kSoundAtLimit,
+                                            &kKioskCodes,
+                                            &kSecondFactor,
+                                            &kBrowserAddress,
+                                            &kMailServer,
+                                            &kLearningRecords,
+                                            &kLearningRecordStore,
+                                            &kStampAuthority,
+                                            &kLanguage,
                                             &kCentreCode};
 
 template <SettingKind Kind>
-using SettingValue = std::tuple_element_t<static_cast<std::size_t>(Kind),
-                                          std::tuple<bool, int, double, std::vector<double>, std::string>>;
+using SettingValue =
+    std::tuple_element_t<static_cast<std::size_t>(Kind),
+                         std::tuple<bool, int, double, std::vector<double>, std::string, std::string>>;
 
 /// Returns the value in use. Requires no right: the shell reads some settings before anybody signs in, and
 /// services read their own. Instantiated for each setting in centre_settings.cpp, so that .ci/unreachable
@@ -144,6 +167,8 @@ void changeCentreSetting(SessionContext& session, const CentreSetting& setting, 
 /// its transaction.
 void keepCentreSetting(SessionContext& session, const CentreSetting& setting, const std::string& written,
                        const std::string& reason = {});
+/// Returns the words of a kChoice, in order.
+[[nodiscard]] std::vector<std::string> choicesOf(const CentreSetting& setting);
 /// Formats numbers for storage; 1 for "yes", 0 for "no".
 [[nodiscard]] std::string asStored(const CentreSetting& setting, const std::vector<double>& numbers);
 /// Returns whether changeCentreSetting() accepts a value.
@@ -152,7 +177,7 @@ void keepCentreSetting(SessionContext& session, const CentreSetting& setting, co
 template <const CentreSetting& Setting>
 void setCentreSetting(SessionContext& session,
                       const std::type_identity_t<SettingValue<Setting.kind>>& value) {
-  if constexpr (Setting.kind == SettingKind::kWords) {
+  if constexpr (Setting.kind == SettingKind::kWords || Setting.kind == SettingKind::kChoice) {
     changeCentreSetting(session, Setting, value);
   } else if constexpr (Setting.kind == SettingKind::kSpeeds) {
     changeCentreSetting(session, Setting, asStored(Setting, value));

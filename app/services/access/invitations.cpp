@@ -238,8 +238,9 @@ SignInAnswer acceptInvitation(SessionContext& session, const std::string& secret
     Transaction transaction(connection);
     used = access.useInvitation(proof, session.now_us());
     if (used) {
-      access.setPassword(*userId, password, false);
-      session.note(AuditAction::kInvitationUse, AuditObject::kAppUser, *userId);
+      const bool removed = access.setPassword(*userId, password, false);
+      session.note(AuditAction::kInvitationUse, AuditObject::kAppUser, *userId,
+                   removed ? nlohmann::json{{"second_factor", "removed"}} : nlohmann::json());
       transaction.commit();
     }
   }

@@ -30,4 +30,15 @@ QrCode qrCode(const std::string& text) {
   return code;
 }
 
+std::vector<std::string> qrRows(const std::string& text) {
+  std::vector<std::string> rows;
+  for (const std::vector<bool>& modules : qrCode(text).dark) {
+    std::string& row = rows.emplace_back();
+    for (const bool dark : modules) {
+      row += dark ? '1' : '0';
+    }
+  }
+  return rows;
+}
+
 }  // namespace torsio

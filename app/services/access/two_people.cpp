@@ -226,10 +226,11 @@ std::string drawSecondHalf(SessionContext& session, const DutyRequest& request, 
       access.sealPassword(user.login, detailOf(request).value("first_half", "") + "-" + second);
   Transaction transaction(session.connection());
   confirm(session, request);
-  access.setPassword(user.id, sealed, true);
+  const bool removed = access.setPassword(user.id, sealed, true);
   AuditNote note{.action = AuditAction::kUserResetPassword,
                  .objectKind = AuditObject::kAppUser,
                  .objectId = user.id,
+                 .newJson = removed ? nlohmann::json{{"second_factor", "removed"}}.dump() : "",
                  .reason = request.reason};
   session.note(note);
   if (roles != nullptr) {

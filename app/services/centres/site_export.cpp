@@ -169,7 +169,7 @@ SitePackage exportSite(SessionContext& session, const SiteRequest& request,
   if (request.simulatedOnly && !simulated) {
     throw Error(ErrorCode::kPermission, Text::tr("this record has people who are not simulated"),
                 connection.location(),
-                Text::tr("Sign in with --as LOGIN, or give --as-system as the owner of the record"));
+                Text::tr("Sign in with --login NAME, or give --as-system as the owner of the record"));
   }
   const std::optional<Centre> centre = StudyRepository(connection).centre();
   if (!centre) {

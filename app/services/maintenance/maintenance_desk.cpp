@@ -28,7 +28,7 @@ void requireOwner(const Maintainer& maintainer, Connection& connection, const st
       place.engine == Engine::kSqlite ? maintainer.ownsFile(place.file) : isOwnerOfTables(connection);
   if (!own) {
     refuse(Text::tr("this record belongs to another account"), place.shown(),
-           Text::tr("Run the command as its owner, or sign in with --as LOGIN"));
+           Text::tr("Run the command as its owner, or sign in with --login NAME"));
   }
 }
 
@@ -39,6 +39,13 @@ void requireSignedIn(const SignInAnswer& answer, const std::string& login) {
     case SignIn::kMustChange:
       refuse(Text::tr("the start password must be changed first"), login,
              Text::tr("Sign in once in the window, and choose a password of your own"));
+    case SignIn::kMustEnrol:
+      refuse(Text::tr("the centre asks for a second factor, which this account has not"), login,
+             Text::tr("Sign in once in the window or the browser, and set it up"));
+    case SignIn::kCodeWrong:
+    case SignIn::kCodeNeeded:
+      refuse(Text::tr("the code of the second factor is not right, or was used before"), login,
+             Text::tr("Wait for the next one, or use a recovery code"));
     case SignIn::kWait:
       refuse(Text::tr("too many failures: wait %1", clockLeftText(answer.waitUntilUtc_us - utcNow_us())),
              login, Text::tr("Then try again"));
@@ -49,8 +56,13 @@ void requireSignedIn(const SignInAnswer& answer, const std::string& login) {
 }
 
 /// Signs in; what follows may be signed, since the password has just been entered.
-void enterAs(SessionContext& session, const std::string& login, const std::string& password) {
-  requireSignedIn(signIn(session, login, password), login);
+void enterAs(SessionContext& session, const std::string& login, const std::string& password,
+             const std::function<std::string()>& code) {
+  SignInAnswer answer = signIn(session, login, password);
+  if (answer.outcome == SignIn::kCodeNeeded && code) {
+    answer = signIn(session, login, password, {}, code());
+  }
+  requireSignedIn(answer, login);
   Actor actor = session.actor();
   actor.passwordShownUtc_us = session.now_us();
   session.setActor(actor);
@@ -76,12 +88,12 @@ MaintenanceDesk::MaintenanceDesk(const Maintainer& maintainer, Connection opened
 
 void MaintenanceDesk::enter(const Maintainer& maintainer, const std::string& owned) {
   if (!maintainer.login.empty()) {
-    enterAs(session_, maintainer.login, maintainer.password());
+    enterAs(session_, maintainer.login, maintainer.password(), maintainer.code);
     return;
   }
   if (maintainer.systemAccount.empty()) {
     refuse(Text::tr("nobody is signed in"), parseLocator(owned).shown(),
-           Text::tr("Give --as LOGIN, or --as-system as the owner of the record"));
+           Text::tr("Give --login NAME, or --as-system as the owner of the record"));
   }
   requireOwner(maintainer, connection_, owned);
   session_.setActor({.systemAccount = maintainer.systemAccount});
@@ -98,7 +110,7 @@ void MaintenanceDesk::handOver(const Maintainer& maintainer, const DutyWish& wis
   if (!isRequested(session(), wish)) {
     (void)askSecondPerson(session(), wish);
   }
-  enterAs(session_, maintainer.secondLogin, maintainer.secondPassword());
+  enterAs(session_, maintainer.secondLogin, maintainer.secondPassword(), maintainer.secondCode);
 }
 
 }  // namespace torsio

@@ -17,8 +17,10 @@ namespace torsio {
 struct Maintainer {
   std::string login{};                      ///< empty: the system
   std::function<std::string()> password{};  ///< called once, when the record is open
+  std::function<std::string()> code{};      ///< of the second factor; called if the account has one
   std::string secondLogin{};  ///< of another administrator, for acts that need two people; empty: nobody
   std::function<std::string()> secondPassword{};
+  std::function<std::string()> secondCode{};
   std::string systemAccount{};                              ///< if this and the login are empty: nobody,
                                                             ///< without any rights
   std::function<bool(const std::string& file)> ownsFile{};  ///< whether the account owns a file; for SQLite

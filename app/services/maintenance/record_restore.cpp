@@ -261,7 +261,8 @@ void requireMeant(SessionContext& session, const RestorePlan& plan) {
   if (alwaysTwo(session, plan) && session.actor().userId.empty()) {
     throw Error(ErrorCode::kPermission,
                 Text::tr("putting another centre's record in this one's place takes two people"),
-                plan.backup.string(), Text::tr("Sign in with --as, and a second administrator with --with"));
+                plan.backup.string(),
+                Text::tr("Sign in with --login, and a second administrator with --with"));
   }
 }
 

@@ -43,6 +43,9 @@ enum class SignIn {
   kWrong,       ///< unknown login or wrong password; deliberately not distinguished
   kWait,        ///< too many failures: the password is not even checked
   kDisabled,    ///< correct, but the account is disabled
+  kCodeNeeded,  ///< the password is correct; the account has a second factor, and no code was given
+  kCodeWrong,   ///< the password is correct; the code is not, or was used before
+  kMustEnrol,   ///< correct, but the centre asks this account for a second factor, which it has not
 };
 
 }  // namespace torsio

@@ -11,6 +11,9 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/password_rule.h"
 #include "db/connection/row_reader.h"
+#include "db/repository/people/one_time_code.h"
+#include "db/repository/people/second_factor_repository.h"
+#include "db/repository/people/server_roles.h"
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
@@ -244,46 +247,126 @@ void AccessRepository::endOtherServerSessions(const UserId& userId) {
   }
 }
 
-SignInResult AccessRepository::check(const std::string& login, const std::string& secret, bool pin,
-                                     std::int64_t now_us, const std::string& place) {
-  Account found = account(login).value_or(Account{});
-  readFailures(found, login, place);
+struct AccessRepository::Typed {
+  const std::string& login;
+  const std::string& secret;
+  const std::string& place;
+  bool pin = false;
+  const std::string* code = nullptr;  ///< of the second factor; null: not asked for
+};
+
+SignInResult AccessRepository::check(const Typed& typed, std::int64_t now_us) {
+  Account found = account(typed.login).value_or(Account{});
+  readFailures(found, typed.login, typed.place);
   if (const std::optional<std::int64_t> until_us = waitOf(found, now_us)) {
     return {SignIn::kWait, "", *until_us};
   }
   SignInResult result;
-  if (!fits(found, login, secret, pin, result)) {
+  if (!fits(found, typed.login, typed.secret, typed.pin, result)) {
     setFailures(found, found.failures + 1, now_us + waitAfter(found.failures + 1));
     return {SignIn::kWrong};
   }
   if (!found.active) {
     return {SignIn::kDisabled};
   }
+  if (typed.code != nullptr) {
+    if (const SignIn outcome = checkCode(found, typed, now_us, result); outcome != SignIn::kOk) {
+      endOwnServerSession();  // opened by the password
+      return {outcome, "", result.waitUntilUtc_us};
+    }
+  }
   if (found.failures > 0) {
     setFailures(found, 0, 0);
   }
-  result.outcome = found.mustChange && !pin ? SignIn::kMustChange : SignIn::kOk;
+  result.outcome = found.mustChange && !typed.pin ? SignIn::kMustChange : SignIn::kOk;
   result.userId = found.id;
   return result;
 }
 
+SignIn AccessRepository::checkCode(const Account& account, const Typed& typed, std::int64_t now_us,
+                                   SignInResult& result) {
+  tellSession(connection_, result.serverToken);
+  if (!SecondFactorRepository(connection_).find(account.id)) {
+    return SignIn::kOk;
+  }
+  result.hasSecondFactor = true;
+  Account codes = account;
+  codes.failures = 0;
+  codes.lockedUntilUtc_us = 0;
+  readFailures(codes, typed.login, "codes of the second factor");  // whoever gets here knows the password
+  if (const std::optional<std::int64_t> until_us = waitOf(codes, now_us)) {
+    result.waitUntilUtc_us = *until_us;
+    return SignIn::kWait;
+  }
+  if (typed.code->empty()) {
+    return SignIn::kCodeNeeded;
+  }
+  if (!acceptsCode(account, typed, now_us, result)) {
+    setFailures(codes, codes.failures + 1, now_us + waitAfter(codes.failures + 1));
+    return SignIn::kCodeWrong;
+  }
+  if (codes.failures > 0) {
+    setFailures(codes, 0, 0);
+  }
+  return SignIn::kOk;
+}
+
+bool AccessRepository::acceptsCode(const Account& account, const Typed& typed, std::int64_t now_us,
+                                   SignInResult& result) {
+  SecondFactorRepository factors(connection_);
+  std::string code = *typed.code;
+  std::erase_if(code, [](char c) { return c == ' ' || c == '-'; });
+  if (code.find_first_not_of("0123456789") != std::string::npos) {
+    result.byRecoveryCode = factors.useRecoveryCode(account.id, code);
+    return result.byRecoveryCode;
+  }
+  const std::string secret =
+      openedCodeSecret(factors.find(account.id).value_or(SecondFactor{}).sealed, typed.secret, account.id);
+  const std::optional<std::int64_t> step = secret.empty() ? std::nullopt : stepOfCode(secret, code, now_us);
+  return step && factors.useStep(account.id, *step);
+}
+
 SignInResult AccessRepository::signIn(const std::string& login, const std::string& password,
-                                      std::int64_t now_us, const std::string& place) {
-  return check(login, password, false, now_us, place);
+                                      std::int64_t now_us, const std::string& place,
+                                      const std::string& code) {
+  return check({.login = login, .secret = password, .place = place, .code = &code}, now_us);
+}
+
+SignInResult AccessRepository::signInAgain(const std::string& login, const std::string& password,
+                                           std::int64_t now_us, const std::string& place) {
+  return check({.login = login, .secret = password, .place = place}, now_us);
 }
 
 SignInResult AccessRepository::signInForPractice(const std::string& login, const std::string& pin,
                                                  std::int64_t now_us, const std::string& place) {
-  return check(login, pin, true, now_us, place);
+  return check({.login = login, .secret = pin, .place = place, .pin = true}, now_us);
 }
 
-void AccessRepository::setPassword(const UserId& userId, const SealedSecret& password, bool mustChange) {
+void AccessRepository::storePassword(const UserId& userId, const SealedSecret& password, bool mustChange) {
   (void)revokeInvitation(userId);
   connection_.execute(
       "UPDATE app_user SET password_hash = ?, must_change_password = ?, failed_count = 0,"
       " locked_until_utc_us = 0 WHERE id = ?",
       {password.hash, mustChange, userId});
   endOtherServerSessions(userId);
+}
+
+bool AccessRepository::setPassword(const UserId& userId, const SealedSecret& password, bool mustChange) {
+  Transaction transaction(connection_);
+  const bool had = SecondFactorRepository(connection_).remove(userId);
+  storePassword(userId, password, mustChange);
+  transaction.commit();
+  return had;
+}
+
+void AccessRepository::changePassword(const UserId& userId, const SealedSecret& password,
+                                      const std::string& sealedCode) {
+  Transaction transaction(connection_);
+  storePassword(userId, password, false);
+  if (!sealedCode.empty()) {
+    SecondFactorRepository(connection_).reseal(userId, sealedCode);
+  }
+  transaction.commit();
 }
 
 void AccessRepository::setPin(const UserId& userId, const SealedSecret& pin) {

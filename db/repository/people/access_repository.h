@@ -20,6 +20,8 @@ struct SignInResult {
   std::int64_t waitUntilUtc_us = 0;  ///< for kWait
   /// What proves the sign-in to a prepared server (tellSession()); empty elsewhere.
   std::string serverToken{};
+  bool hasSecondFactor = false;  ///< for kOk and kMustChange of signIn()
+  bool byRecoveryCode = false;   ///< with one of the account's recovery codes, which is used up
 };
 
 /// Consecutive failures without a wait; each further one doubles the wait, from one second to one minute.
@@ -75,12 +77,22 @@ class AccessRepository {
   void setActive(const UserId& userId, bool active);
 
   /// `place`: where it is tried, such as a station or an address. Failures count for this place only, so
-  /// that nobody can keep the owner of an account out from elsewhere.
+  /// that nobody can keep the owner of an account out from elsewhere. `code`: of the second factor, six
+  /// digits or a recovery code; empty: none. It is looked at only if the password fits; wrong ones count for
+  /// the account, wherever they are typed.
   [[nodiscard]] SignInResult signIn(const std::string& login, const std::string& password,
-                                    std::int64_t now_us, const std::string& place = {});
-  /// Sets a password: the user's own change, or an administrator's reset (`mustChange`). Ends waits and
-  /// invitations.
-  void setPassword(const UserId& userId, const SealedSecret& password, bool mustChange);
+                                    std::int64_t now_us, const std::string& place = {},
+                                    const std::string& code = {});
+  /// Like signIn(), without asking for a second factor: for whoever has signed in with it before.
+  [[nodiscard]] SignInResult signInAgain(const std::string& login, const std::string& password,
+                                         std::int64_t now_us, const std::string& place);
+  /// Sets a password: an administrator's reset (`mustChange`), or one that its owner chooses by an
+  /// invitation. Ends waits and invitations, and removes the second factor, which the former password
+  /// sealed. Returns whether there was one.
+  bool setPassword(const UserId& userId, const SealedSecret& password, bool mustChange);
+  /// Sets the password that the user has changed, with the secret of the second factor sealed under it
+  /// (sealedCodeSecret()); empty: there is none.
+  void changePassword(const UserId& userId, const SealedSecret& password, const std::string& sealedCode);
 
   /// Sets the station PIN, which only opens practice without a record; empty removes it.
   void setPin(const UserId& userId, const SealedSecret& pin);
@@ -126,8 +138,16 @@ class AccessRepository {
  private:
   struct Account;
   [[nodiscard]] std::optional<Account> account(const std::string& login) const;
-  [[nodiscard]] SignInResult check(const std::string& login, const std::string& secret, bool pin,
-                                   std::int64_t now_us, const std::string& place);
+  /// What was typed to sign in, and where.
+  struct Typed;
+  [[nodiscard]] SignInResult check(const Typed& typed, std::int64_t now_us);
+  /// Checks the code of an account whose password fits. Returns kOk without a second factor.
+  [[nodiscard]] SignIn checkCode(const Account& account, const Typed& typed, std::int64_t now_us,
+                                 SignInResult& result);
+  /// True if the code fits and was not used before; uses it up.
+  [[nodiscard]] bool acceptsCode(const Account& account, const Typed& typed, std::int64_t now_us,
+                                 SignInResult& result);
+  void storePassword(const UserId& userId, const SealedSecret& password, bool mustChange);
   /// Reads the failures at a place from their bucket. What nobody outside knows (the account's hash, or the
   /// centre's id for unknown logins) chooses it: no login can be made up that shares another's.
   void readFailures(Account& account, const std::string& login, const std::string& place) const;

@@ -89,6 +89,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"trial_question", person_conditions::kQuestions},
     PersonRule{"remark_revision", person_conditions::kRevisions, OnErase::kClear, "text = NULL"},
     PersonRule{"trial_remark", person_conditions::kRemarks, OnErase::kClear, "text = NULL"},
+    PersonRule{"second_factor", person_conditions::kOwnUser, OnErase::kDelete, "", "user_id, made_utc_us"},
     PersonRule{"kiosk_code", person_conditions::kOwnUser, OnErase::kDelete, "",
                "id, user_id, made_utc_us, revoked_utc_us"},
     PersonRule{"invitation", person_conditions::kOwnUser, OnErase::kDelete, "",
@@ -189,7 +190,8 @@ inline constexpr std::array kPersonRules{
     PersonRule{"rubric_row", ""},
     PersonRule{"schema_migration", ""},
     PersonRule{"occasion", ""},
-    PersonRule{"server_session", ""},  // goes with the account
+    PersonRule{"second_factor_secret", ""},  // goes with second_factor
+    PersonRule{"server_session", ""},        // goes with the account
     PersonRule{"setting", ""},
     PersonRule{"site", ""},
     PersonRule{"site_delivery", ""},

@@ -224,6 +224,12 @@ BEGIN
     OR two_decided('reset_password', account) OR two_decided('grant_roles', account));
 END )";
 
+/// Whoever may set the account's password, which makes its sealed secret useless.
+constexpr std::string_view kMayDropSecondFactor =
+    "SELECT account IN (session_user_id(), invited_account()) OR (session_may('user.manage')"
+    " AND (NOT account_is_guarded(account) OR two_decided('reset_password', account)"
+    " OR two_decided('grant_roles', account)))";
+
 constexpr std::string_view kMayInvite =
     "SELECT session_may('user.manage') AND (NOT account_is_guarded(account)"
     " OR two_decided('invite', account))";
@@ -429,6 +435,7 @@ constexpr std::array kFunctions{
                    "account text, name text, person text, password text, pin text, simulated boolean,"
                    " standing text",
                    "boolean", "plpgsql STABLE", kMayChangeAccount},
+    ServerFunction{"may_drop_second_factor", "account text", "boolean", "sql STABLE", kMayDropSecondFactor},
     ServerFunction{"may_invite", "account text", "boolean", "sql STABLE", kMayInvite},
     ServerFunction{"may_change_invitation", "invited text, account text, wanted text", "boolean",
                    "sql STABLE", kMayChangeInvitation},

@@ -28,8 +28,11 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/people/one_time_code.h"
 #include "db/repository/people/person_data.h"
+#include "db/repository/people/second_factor_repository.h"
 #include "db/repository/system/setting_repository.h"
+#include "sim/core/clock.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "tests/app/cli/program.h"
@@ -113,6 +116,36 @@ TEST_F(SignedMaintenance, ABackupRequiresAName) {
   EXPECT_EQ(newestActorOf("user.sign_in_failed"), "torsio");
   EXPECT_EQ(run("db backup --as-system " + file("c.sqlite")).code, 0);
   EXPECT_EQ(newestActorOf("database.backup"), "system:" + std::to_string(geteuid()));
+}
+
+TEST_F(SignedMaintenance, ACommandAsksForTheCodeOfASecondFactor) {
+  const std::string secret = newCodeSecret();
+  {
+    Connection connection = open();
+    SecondFactorRepository(connection)
+        .add("u-office", sealedCodeSecret(secret, kPassword, "u-office", PasswordCost::kTest), 0,
+             std::vector<std::string>{"abcd-efgh-jkmn-pqrs"}, utcNow_us());
+  }
+  const auto withCode = [&](const std::string& name, const std::string& code) {
+    std::ofstream(file(name)) << kPassword << "\n" << code << "\n";
+    return run("db backup " + file(name + ".sqlite") + as("office", name));
+  };
+
+  const ProgramRun without = run("db backup " + file("b.sqlite") + as("office"));
+  EXPECT_NE(without.code, 0);
+  EXPECT_NE(without.err.find("code"), std::string::npos) << without.err;
+  EXPECT_EQ(withCode("false", "000000").code, kPermission);
+  EXPECT_EQ(withCode("right", oneTimeCode(secret, codeStepAt(utcNow_us()))).code, 0);
+  EXPECT_EQ(withCode("recovery", "abcd-efgh-jkmn-pqrs").code, 0);
+  EXPECT_EQ(withCode("again", "abcd-efgh-jkmn-pqrs").code, kPermission);
+  EXPECT_FALSE(fs::exists(file("b.sqlite")));
+  {
+    Connection connection = open();
+    SettingRepository(connection).set("second_factor", "administrators", utcNow_us());
+  }
+  const ProgramRun unready = run("db backup " + file("c.sqlite") + as("second"));
+  EXPECT_EQ(unready.code, kPermission);
+  EXPECT_NE(unready.err.find("set it up"), std::string::npos) << unready.err;
 }
 
 TEST_F(SignedMaintenance, AnUnreadableOrWrongPasswordOpensNothing) {

@@ -19,7 +19,9 @@
 #include "assessment/domain/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/one_time_code.h"
 #include "db/repository/system/setting_repository.h"
+#include "sim/core/clock.h"
 #include "tests/app/web/served_desk.h"
 
 namespace torsio::web {
@@ -220,8 +222,9 @@ TEST_F(WebAccess, APasswordChangeOrADisabledAccountEndsASession) {
 
 /// Routes that answer each role; all others must be refused to everybody.
 const std::map<std::string, std::set<std::string>>& answersOf() {
-  static const std::set<std::string> kOfAll = {"GET /healthz",   "GET /readyz", "GET /metrics",
-                                               "GET /api/texts", "GET /api/me", "GET /api/sessions"};
+  static const std::set<std::string> kOfAll = {"GET /healthz",          "GET /readyz", "GET /metrics",
+                                               "GET /api/texts",        "GET /api/me", "GET /api/sessions",
+                                               "GET /api/second-factor"};
   static const std::map<std::string, std::set<std::string>> kAnswers = {
       {"all", kOfAll},
       {"rater",
@@ -230,6 +233,73 @@ const std::map<std::string, std::set<std::string>>& answersOf() {
       {"trainee", {"GET /api/evaluation", "GET /api/own", "GET /api/own/remarks", "GET /api/own/transcript"}},
       {"administrator", {"GET /api/all-sessions", "GET /api/cohorts", "GET /api/invitations"}}};
   return kAnswers;
+}
+
+/// The six digits of a secret at the server's time.
+std::string codeOf(const std::string& secret, std::int64_t stepsAhead = 0) {
+  return oneTimeCode(secret, codeStepAt(utcNow_us()) + stepsAhead);
+}
+
+TEST_F(WebAccess, ASecondFactorIsSetUpAskedForAndSwitchedOff) {
+  WebClient client = office();
+  const json state = client.get("/api/second-factor").json();
+  EXPECT_EQ(state.at("on"), false);
+  const json offer = state.at("offer");
+  const std::string secret = offer.at("secret");
+  EXPECT_EQ(offer.at("uri").get<std::string>().find("otpauth://totp/Torsio"), 0U);
+  EXPECT_EQ(offer.at("qr").size(), offer.at("qr").at(0).get<std::string>().size());
+  json wish{{"login", "office"}, {"password", kWebPassword}, {"secret", secret}, {"code", "000000"}};
+  EXPECT_EQ(client.send("POST", "/api/second-factor", wish).status, 400);
+  wish["code"] = codeOf(secret);
+  const DeskAnswer on = client.send("POST", "/api/second-factor", wish);
+  ASSERT_EQ(on.status, 200) << on.body;
+  const json recovery = on.json().at("recovery_codes");
+  ASSERT_EQ(recovery.size(), 10U);
+  client.token = on.json().at("token");
+  EXPECT_EQ(client.get("/api/second-factor").json().at("recovery_codes_left"), 10);
+  EXPECT_EQ(client.get("/api/second-factor").body.find(secret), std::string::npos);
+
+  WebClient other = served.client();
+  json entry{{"login", "office"}, {"password", kWebPassword}};
+  const DeskAnswer asked = other.send("POST", "/api/sign-in", entry);
+  EXPECT_EQ(asked.status, 200);
+  EXPECT_EQ(asked.json(), json({{"outcome", "code_needed"}}));
+  EXPECT_EQ(other.cookie, "");
+  entry["code"] = wish["code"];
+  EXPECT_EQ(other.send("POST", "/api/sign-in", entry).status, 401) << "used when it was set up";
+  entry["code"] = codeOf(secret, 1);
+  EXPECT_EQ(other.send("POST", "/api/sign-in", entry).json().at("outcome"), "ok");
+
+  EXPECT_EQ(
+      client.send("POST", "/api/second-factor/off", {{"password", kWebPassword}, {"code", "000000"}}).status,
+      403);
+  const DeskAnswer off =
+      client.send("POST", "/api/second-factor/off", {{"password", kWebPassword}, {"code", recovery.at(0)}});
+  EXPECT_EQ(off.status, 200) << off.body;
+  EXPECT_EQ(off.json().at("on"), false);
+  EXPECT_TRUE(served.client().signIn("office", kWebPassword));
+  EXPECT_EQ(served.log.find(secret), std::string::npos);
+}
+
+TEST_F(WebAccess, WhereTheCentreAsksForASecondFactorItIsSetUpAtTheSignIn) {
+  SettingRepository(served.centre.connection()).set(kSecondFactor.name, "administrators", 0);
+  EXPECT_TRUE(served.client().signIn("physician0", kWebPassword));
+  WebClient client = served.client();
+  const DeskAnswer asked =
+      client.send("POST", "/api/sign-in", {{"login", "office"}, {"password", kWebPassword}});
+  ASSERT_EQ(asked.json().at("outcome"), "must_enrol") << asked.body;
+  EXPECT_EQ(client.cookie, "");
+  const json offer = asked.json().at("offer");
+
+  const DeskAnswer on = client.send("POST", "/api/second-factor",
+                                    {{"login", offer.at("login")},
+                                     {"password", kWebPassword},
+                                     {"secret", offer.at("secret")},
+                                     {"code", codeOf(offer.at("secret"))}});
+
+  ASSERT_EQ(on.status, 200) << on.body;
+  EXPECT_EQ(on.json().at("user").at("login"), "office");
+  EXPECT_EQ(client.get("/api/all-sessions").status, 200);
 }
 
 TEST_F(WebAccess, EveryRouteAnswersOnlyPermittedRoles) {

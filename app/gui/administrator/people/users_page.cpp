@@ -28,6 +28,7 @@
 #include "app/services/access/first_run.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"
+#include "app/services/access/second_factor.h"
 #include "app/services/people/people_service.h"
 #include "app/services/people/roster_accounts.h"
 
@@ -118,6 +119,7 @@ void UsersPage::enter(const QVariant&) {
     waiting_ = openRequests(shell().session()).size();
     kioskCodes_ = kioskCodesInForce(shell().session());
     invitations_ = invitationsInForce(shell().session());
+    secondFactors_ = secondFactors(shell().session());
     outdatedAccess_ = outdatedAccess(shell().session());
     personCodes_.clear();
     for (const PersonRow& row : people(shell().session())) {
@@ -174,7 +176,9 @@ void UsersPage::showContent() {
                      {orDash(personCodes_[user.personId])},
                      {roles.join(QStringLiteral(", "))},
                      {user.active ? tr("active") : tr("disabled")},
-                     {user.mustChangePassword ? tr("to be changed") : tr("own")},
+                     {user.mustChangePassword            ? tr("to be changed")
+                      : secondFactors_.contains(user.id) ? tr("own, and a code")
+                                                         : tr("own")},
                      {user.hasPin ? tr("set") : QStringLiteral("\u2013")},
                      timeCell(kioskCodes_.contains(user.id) ? kioskCodes_[user.id] : 0),
                      timeCell(invitations_.contains(user.id) ? invitations_[user.id] : 0),
@@ -334,7 +338,8 @@ void UsersPage::newPassword() {
   attempt(shell(), [&] {
     const QString login = toQString(user->login);
     const std::optional<std::string> reason = askReason(
-        this, tr("New start password"), tr("The present password of %1 stops working at once.").arg(login));
+        this, tr("New start password"),
+        tr("The present password of %1 stops working at once, and a second factor is removed.").arg(login));
     if (!reason) {
       return;
     }

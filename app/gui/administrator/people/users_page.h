@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,7 @@ class UsersPage : public Page {
   std::map<std::string, std::string> personCodes_;  // by person id
   std::map<UserId, std::int64_t> kioskCodes_;       // creation time
   std::map<UserId, std::int64_t> invitations_;      // expiry
+  std::set<UserId> secondFactors_;                  // accounts that have one
   OutdatedAccess outdatedAccess_;
   PageHeading* heading_;
   QLabel* outdated_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -50,6 +51,7 @@ CentreSettingsCard::CentreSettingsCard(ShellContext& shell, QWidget* parent)
       panel_(named(new QCheckBox(this), "panelWaits")),
       two_(named(new QCheckBox(this), "twoPeople")),
       cards_(named(new QCheckBox(this), "kioskCodes")),
+      factor_(named(new QComboBox(this), "secondFactor")),
       sign_(named(new QSpinBox(this), "signMinutes")),
       watched_(named(new QDoubleSpinBox(this), "minimumWatched")),
       speeds_(named(new QLineEdit(this), "playbackSpeeds")),
@@ -96,8 +98,13 @@ CentreSettingsCard::CentreSettingsCard(ShellContext& shell, QWidget* parent)
   content()->addWidget(sound_);
   content()->addWidget(two_);
   content()->addWidget(cards_);
+  for (const std::string& asked : choicesOf(kSecondFactor)) {
+    factor_->addItem(QString(), toQString(asked));
+  }
   QHBoxLayout* signing = rowOf();
   signLabel_ = addField(signing, sign_);
+  signing->addSpacing(2 * kSpace);
+  factorLabel_ = addField(signing, factor_);
   signing->addStretch(1);
   signing->addWidget(learning_);
   signing->addWidget(keep_);
@@ -129,6 +136,7 @@ void CentreSettingsCard::read() {
     two_->setChecked(centreSetting<kTwoPeople>(connection));
     cards_->setChecked(centreSetting<kKioskCodes>(connection));
     sign_->setValue(centreSetting<kSignMinutes>(connection));
+    factor_->setCurrentIndex(factor_->findData(toQString(centreSetting<kSecondFactor>(connection))));
     watched_->setValue(centreSetting<kMinimumWatched_percent>(connection));
     apart_->setValue(centreSetting<kDiscrepancy_points>(connection));
     QString speeds = toQString(asStored(kPlaybackSpeeds, centreSetting<kPlaybackSpeeds>(connection)));
@@ -149,6 +157,7 @@ void CentreSettingsCard::keep() {
     setCentreSetting<kSoundAtLimit>(session, sound_->isChecked());
     setCentreSetting<kSignMinutes>(session, sign_->value());
     setCentreSetting<kKioskCodes>(session, cards_->isChecked());
+    setCentreSetting<kSecondFactor>(session, factor_->currentData().toString().toStdString());
     if (two_->isChecked() != needsTwoPeople(shell_.session().connectionWithoutRight())) {
       keepTwoPeople();
     }
@@ -188,6 +197,11 @@ void CentreSettingsCard::retranslate() {
   nameField(signLabel_, tr("One password &entry signs for"));
   sign_->setSuffix(tr(" min"));
   sign_->setSpecialValueText(tr("one signature"));
+  nameField(factorLabel_, tr("Second f&actor asked of"));
+  const QStringList asked{tr("nobody"), tr("administrators"), tr("everybody")};  // as choicesOf()
+  for (int i = 0; i < factor_->count(); ++i) {
+    factor_->setItemText(i, asked.value(i));
+  }
   note_->setText(tr("This never interrupts a run. A kiosk signs out instead of locking."));
   learning_->setText(tr("Learning &records\u2026"));
   keep_->setText(tr("&Save"));

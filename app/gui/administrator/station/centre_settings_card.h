@@ -4,6 +4,7 @@
 #include "app/gui/widgets/page_parts.h"
 
 class QCheckBox;
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
@@ -44,6 +45,8 @@ class CentreSettingsCard : public Card {
   QCheckBox* panel_;
   QCheckBox* two_;
   QCheckBox* cards_;
+  QLabel* factorLabel_ = nullptr;
+  QComboBox* factor_;
   QLabel* signLabel_ = nullptr;
   QSpinBox* sign_;
   QLabel* watchedLabel_ = nullptr;

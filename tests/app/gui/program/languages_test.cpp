@@ -72,6 +72,9 @@ bool passes(const QString& text) {
   return kPassing.match(text).hasMatch();
 }
 
+/// Screens that are modal: nobody switches the language while one is open.
+const std::set<QString> kModal{QStringLiteral("second-factor")};
+
 QString plain(const QString& text) {
   return Qt::mightBeRichText(text) ? QTextDocumentFragment::fromHtml(text).toPlainText() : text;
 }
@@ -263,7 +266,7 @@ class Walk {
       chinese.choose(Language::kSimplifiedChinese);
       retranslated();
       for (const QString& text : seenTexts(window)) {
-        if (lacksChinese(text) && !passes(text)) {
+        if (lacksChinese(text) && !passes(text) && kModal.count(name) == 0) {
           switched[name].insert(text);
         }
       }

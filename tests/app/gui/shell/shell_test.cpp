@@ -91,7 +91,7 @@ TEST_F(Shell, TheNavigationSaysHowManyRequestsWaitForTheSecondAdministrator) {
     const std::unique_ptr<SessionContext> office = foundCentre(with.locator.toStdString());
     addUser(*office, {.login = "second", .roles = {"administrator"}, .startPassword = kStartPassword});
     (void)makeUser(*office, {.login = "rater", .roles = {"rater"}});
-    ASSERT_EQ(changeOwnPassword(*office, "second", kStartPassword, kOwnPassword).outcome, SignIn::kOk);
+    ASSERT_EQ(changeOwnPassword(*office, {"second", kStartPassword, kOwnPassword}).outcome, SignIn::kOk);
     torsio::signOut(*office);
   }
   open(with);

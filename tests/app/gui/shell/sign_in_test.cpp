@@ -2,6 +2,10 @@
 // The window before anybody works: first run, visit, sign-in, changing a start password. Access to the
 // window: the lock and what it covers, signatures, guests, the kiosk.
 
+#include <cstdint>
+#include <functional>
+#include <string>
+
 #include <QApplication>
 #include <QDialog>
 #include <QDir>
@@ -26,14 +30,17 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/kiosk_codes.h"
+#include "app/services/access/second_factor.h"
 #include "app/services/access/signing.h"
 #include "app/services/maintenance/retention.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/people/signature.h"
 #include "db/connection/connection.h"
+#include "db/repository/people/one_time_code.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"
+#include "sim/core/clock.h"
 #include "sim/core/file_io.h"
 #include "sim/core/time_units.h"
 #include "tests/app/gui/shell/shell_window.h"
@@ -509,6 +516,123 @@ TEST_F(Shell, TheKioskOnlyEndsWithAnAdministratorsNameAndPassword) {
   Q_EMIT signIn->leaveKioskWanted();
   testing::waitFor(window_->background());
   EXPECT_FALSE(window_->isVisible());
+}
+
+/// Calls `act` with the next dialog of this name when it is shown.
+void whenDialogOpens(const QString& name, const std::function<void(QDialog&)>& act) {
+  QTimer::singleShot(20, qApp, [name, act] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr || dialog->objectName() != name) {
+      whenDialogOpens(name, act);
+      return;
+    }
+    act(*dialog);
+  });
+}
+
+std::string codeOf(const QString& secret, std::int64_t stepsAhead) {
+  QString plain = secret;
+  plain.remove(QLatin1Char(' '));
+  return oneTimeCode(plain.toStdString(), codeStepAt(utcNow_us()) + stepsAhead);
+}
+
+TEST_F(Shell, WhereTheCentreAsksForASecondFactorItIsSetUpAtTheSignInAndAskedForFromThenOn) {
+  const ShellSetup with = setup();
+  openFoundedCentre(with);
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  setCentreSetting<kSecondFactor>(*window_->session(), "administrators");
+  window_->signOut();
+  QString secret;
+  QStringList recovery;
+  whenDialogOpens(QStringLiteral("secondFactorDialog"), [&](QDialog& dialog) {
+    EXPECT_FALSE(child<QLabel>(dialog, "qrCode").pixmap(Qt::ReturnByValue).isNull());
+    secret = child<QLabel>(dialog, "secret").text();
+    child<QLineEdit>(dialog, "code").setText(QStringLiteral("000000"));
+    child<QPushButton>(dialog, "switchOn").click();
+    EXPECT_TRUE(child<QLabel>(dialog, "wrong").isVisible()) << "a wrong first code switches nothing on";
+    child<QLineEdit>(dialog, "code").setText(QString::fromStdString(codeOf(secret, 0)));
+    child<QPushButton>(dialog, "switchOn").click();
+    recovery = child<QLabel>(dialog, "recoveryCodes").text().split(QLatin1Char('\n'));
+    child<QPushButton>(dialog, "taken").click();
+  });
+
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+  EXPECT_EQ(recovery.size(), 10);
+  window_->signOut();
+  bool refused = false;
+  whenDialogOpens(QStringLiteral("codeDialog"), [&](QDialog& first) {
+    whenDialogOpens(QStringLiteral("codeDialog"), [&](QDialog& second) {
+      refused = child<QLabel>(second, "wrong").isVisible();
+      child<QLineEdit>(second, "code").setText(QString::fromStdString(codeOf(secret, 1)));
+      second.accept();
+    });
+    child<QLineEdit>(first, "code").setText(QStringLiteral("000000"));
+    first.accept();
+  });
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  testing::waitFor(window_->background());
+
+  EXPECT_TRUE(refused);
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+  ASSERT_TRUE(window_->lock());
+  named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
+  press(*window_, QStringLiteral("Unlock"));
+  testing::waitFor(window_->background());
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk")) << "the lock asks for the password alone";
+}
+
+TEST_F(Shell, ASecondFactorThatIsGivenUpAtTheSignInOpensNothing) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  setCentreSetting<kSecondFactor>(*window_->session(), "everybody");
+  window_->signOut();
+  whenDialogOpens(QStringLiteral("secondFactorDialog"), [](QDialog& dialog) { dialog.reject(); });
+
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
+  EXPECT_TRUE(window_->session()->actor().userId.empty());
+}
+
+TEST_F(Shell, TheUserMenuSwitchesTheSecondFactorOnAndOffAndANewPasswordAsksForTheCode) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  QString secret;
+  QString recovery;
+  whenDialogOpens(QStringLiteral("secondFactorDialog"), [&](QDialog& dialog) {
+    secret = child<QLabel>(dialog, "secret").text();
+    child<QLineEdit>(dialog, "password").setText(QString::fromLatin1(kAdminPassword));
+    child<QLineEdit>(dialog, "code").setText(QString::fromStdString(codeOf(secret, 0)));
+    child<QPushButton>(dialog, "switchOn").click();
+    recovery = child<QLabel>(dialog, "recoveryCodes").text().section(QLatin1Char('\n'), 0, 0);
+    child<QPushButton>(dialog, "taken").click();
+  });
+  Q_EMIT window_->desk()->secondFactorWanted();
+  ASSERT_FALSE(recovery.isEmpty());
+
+  Q_EMIT window_->desk()->passwordChangeWanted();
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("password"));
+  named<QLineEdit>(*window_, QStringLiteral("Present password"))
+      ->setText(QString::fromLatin1(kAdminPassword));
+  named<QLineEdit>(*window_, QStringLiteral("New password"))->setText(QString::fromLatin1(kOwnPassword));
+  named<QLineEdit>(*window_, QStringLiteral("Repeat password"))->setText(QString::fromLatin1(kOwnPassword));
+  EXPECT_FALSE(testing::button(*window_, QStringLiteral("Save password"))->isEnabled())
+      << "the code is missing";
+  named<QLineEdit>(*window_, QStringLiteral("Code from your app, or a recovery code"))
+      ->setText(QString::fromStdString(codeOf(secret, 1)));
+  press(*window_, QStringLiteral("Save password"));
+  testing::waitFor(window_->background());
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+
+  whenDialogOpens(QStringLiteral("secondFactorState"), [&](QDialog& dialog) {
+    child<QLineEdit>(dialog, "password").setText(QString::fromLatin1(kOwnPassword));
+    child<QLineEdit>(dialog, "code").setText(recovery);
+    child<QPushButton>(dialog, "switchOff").click();
+  });
+  Q_EMIT window_->desk()->secondFactorWanted();
+  EXPECT_FALSE(ownSecondFactor(*window_->session()).on);
 }
 
 TEST_F(Shell, OnlyAKioskAcceptsACardsCodeIfTheCentreAllowsIt) {

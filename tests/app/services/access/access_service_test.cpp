@@ -56,8 +56,8 @@ TEST(AccessService, AStartPasswordOpensNothingBeforeItIsChanged) {
   EXPECT_EQ(first.outcome, SignIn::kMustChange);
   EXPECT_TRUE(session.actor().userId.empty());
   EXPECT_FALSE(session.may(Operation::kPersonViewCoded));
-  EXPECT_THROW(changeOwnPassword(session, "new", kStart, kStart), Error);
-  EXPECT_EQ(changeOwnPassword(session, "new", kStart, kOwn).outcome, SignIn::kOk);
+  EXPECT_THROW(changeOwnPassword(session, {"new", kStart, kStart}), Error);
+  EXPECT_EQ(changeOwnPassword(session, {"new", kStart, kOwn}).outcome, SignIn::kOk);
   EXPECT_TRUE(session.may(Operation::kPersonViewCoded));
 }
 

@@ -16,6 +16,7 @@
 #include "app/services/access/kiosk_codes.h"
 #include "app/services/access/moved_record.h"
 #include "app/services/access/outdated_access.h"
+#include "app/services/access/second_factor.h"
 #include "app/services/access/two_people.h"
 #include "app/services/centres/site_export.h"
 #include "app/services/centres/site_pool.h"
@@ -83,6 +84,7 @@ void takeOut(SessionContext& session, ReportIdentity identity, Path folder) {
 
 std::vector<ServiceCall> administratorCalls() {
   return {
+      {O::kUserManage, "secondFactors", [](W w, Path) { (void)secondFactors(w); }},
       {O::kPractice, "setOwnPin", [](W w, Path) { setOwnPin(w, "1"); }},
       {O::kPersonViewCoded, "people", [](W w, Path) { (void)people(w); }},
       {O::kPersonViewIdentity, "namedPeople", [](W w, Path) { (void)namedPeople(w); }},

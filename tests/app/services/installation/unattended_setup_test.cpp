@@ -75,7 +75,7 @@ TEST_F(UnattendedSetup, SetsUpTheCentreWithItsPeopleAndTheFirstAdministratorSign
   EXPECT_EQ(centreSign(own.connectionWithoutRight()).name, "University Hospital Nanjing");
   EXPECT_EQ(centreSign(own.connectionWithoutRight()).language, "zh_CN");
   EXPECT_EQ(signIn(own, "m.keller", start).outcome, SignIn::kMustChange) << "a start password is changed";
-  EXPECT_EQ(changeOwnPassword(own, "m.keller", start, kOwnPassword).outcome, SignIn::kOk);
+  EXPECT_EQ(changeOwnPassword(own, {"m.keller", start, kOwnPassword}).outcome, SignIn::kOk);
   EXPECT_TRUE(own.actor().hasRole(kAdministratorRole));
   EXPECT_EQ(openRequests(own).size(), 2U) << "roles of c.diaz and the rater's password need a second person";
 }
@@ -89,7 +89,7 @@ TEST_F(UnattendedSetup, TheSecondAdministratorConfirmsWhatTheFirstAskedFor) {
   EXPECT_EQ(third.part, PasswordPart::kFirstHalf);
 
   SessionContext own = session();
-  EXPECT_EQ(changeOwnPassword(own, "b.chen", second.startPassword, kOwnPassword).outcome, SignIn::kOk);
+  EXPECT_EQ(changeOwnPassword(own, {"b.chen", second.startPassword, kOwnPassword}).outcome, SignIn::kOk);
   std::string password = third.startPassword;
   for (const OpenRequest& request : openRequests(own)) {
     if (request.shown == "c.diaz") {
