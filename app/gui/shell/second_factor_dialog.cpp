@@ -91,6 +91,15 @@ QString refusalOf(const Act& act) {
   return refusal;
 }
 
+/// Says below the fields why not, and selects the code to be typed again.
+void sayRefusal(QDialog& dialog, QLabel& line, QLineEdit& code, const QString& refusal) {
+  line.setText(refusal);
+  line.show();
+  growToSentences(&dialog);
+  code.selectAll();
+  code.setFocus();
+}
+
 class CodeDialog : public QDialog {
   Q_DECLARE_TR_FUNCTIONS(CodeDialog)
 
@@ -173,9 +182,9 @@ QWidget* SecondFactorDialog::createSetUp(const SecondFactorOffer& offer, const Q
   answer_ = refusalLine(page);
   column->addWidget(answer_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, page);
-  on_ = named(buttons->addButton(tr("&Switch on"), QDialogButtonBox::AcceptRole), "switchOn");
-  on_->setProperty("primary", true);
-  on_->setDefault(true);
+  QPushButton* on = named(buttons->addButton(tr("&Switch on"), QDialogButtonBox::AcceptRole), "switchOn");
+  on->setProperty("primary", true);
+  on->setDefault(true);
   connect(buttons, &QDialogButtonBox::accepted, this, &SecondFactorDialog::submit);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   column->addWidget(buttons);
@@ -219,11 +228,7 @@ void SecondFactorDialog::submit() {
     showCodes(codes);
     return;
   }
-  answer_->setText(refusal);
-  answer_->show();
-  growToSentences(this);
-  code_->selectAll();
-  code_->setFocus();
+  sayRefusal(*this, *answer_, *code_, refusal);
 }
 
 void SecondFactorDialog::showCodes(const std::vector<std::string>& codes) {
@@ -276,11 +281,7 @@ void SecondFactorStateDialog::submit() {
     accept();
     return;
   }
-  answer_->setText(refusal);
-  answer_->show();
-  growToSentences(this);
-  code_->selectAll();
-  code_->setFocus();
+  sayRefusal(*this, *answer_, *code_, refusal);
 }
 
 }  // namespace torsio::gui

@@ -13,7 +13,6 @@
 
 class QLabel;
 class QLineEdit;
-class QPushButton;
 class QStackedWidget;
 class QVBoxLayout;
 
@@ -48,7 +47,6 @@ class SecondFactorDialog : public QDialog {
   QLineEdit* password_ = nullptr;  // null: not asked for
   QLineEdit* code_ = nullptr;
   QLabel* answer_ = nullptr;
-  QPushButton* on_ = nullptr;
   QLabel* codes_ = nullptr;
 };
 
