@@ -14,7 +14,7 @@ share_of() { echo $((16#$(git rev-parse HEAD 2>/dev/null | tail -c 5 || echo 0) 
 plain_commands() {
   [ -f "$build/compile_commands.json" ] || fail "nothing is configured yet: run tests/run first"
   mkdir -p "$lint/passed"
-  sed -E 's# -Winvalid-pch -include [^ ]*cmake_pch\.hxx##' "$build/compile_commands.json" >"$lint/compile_commands.json"
+  sed -E 's# -Winvalid-pch -include [^ ]*cmake_pch\.hxx##; s# --param=ggc[^ ]*##g' "$build/compile_commands.json" >"$lint/compile_commands.json"
   sed -nE 's#^ *"file": "([^"]*)",?$#\1#p' "$lint/compile_commands.json" | awk -v root="$root/" -v build="$build/" '
     function add(source) {
       if (index(source, root) != 1 || index(source, build) == 1 || source in seen) return

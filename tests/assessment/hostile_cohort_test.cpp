@@ -98,12 +98,6 @@ std::map<std::string, CohortInputs> hostileCohorts() {
   return all;
 }
 
-std::vector<CohortCsvRow> rowsNamed(const CohortInputs& in, const std::string& statistic) {
-  std::vector<CohortCsvRow> found = cohortCsvRows(in);
-  std::erase_if(found, [&](const CohortCsvRow& row) { return row.statistic != statistic; });
-  return found;
-}
-
 TEST(HostileCohort, NumbersAreValidNoPIsZeroAndIntervalsHaveTheirLevel) {
   for (const auto& [name, in] : hostileCohorts()) {
     SCOPED_TRACE(name);
@@ -130,13 +124,13 @@ TEST(HostileCohort, ADroppedArmIsNamedWithItsNumberAndTheOthersAreCompared) {
   const ReportTable* within = tableNamed(report, "table-within-groups");
   ASSERT_NE(within, nullptr);
   EXPECT_EQ(within->rows.at(2).at(1).str(), "0");
-  ASSERT_EQ(rowsNamed(in, "adjusted_difference").size(), 1U);
-  EXPECT_EQ(rowsNamed(in, "adjusted_difference")[0].group, "Group 1 - Group 2");
-  EXPECT_EQ(rowsNamed(in, "mixed_model_difference").size(), 1U);
-  EXPECT_EQ(rowsNamed(in, "pairs_left_open").at(0).value, "0");
+  ASSERT_EQ(testing::rowsNamed(in, "adjusted_difference").size(), 1U);
+  EXPECT_EQ(testing::rowsNamed(in, "adjusted_difference")[0].group, "Group 1 - Group 2");
+  EXPECT_EQ(testing::rowsNamed(in, "mixed_model_difference").size(), 1U);
+  EXPECT_EQ(testing::rowsNamed(in, "pairs_left_open").at(0).value, "0");
   EXPECT_THAT(said, Not(HasSubstr("of 3 comparisons")));
   // The whole arm's missing marks are bounded: its trainees were there at the start.
-  EXPECT_EQ(rowsNamed(in, "bound_worst").size(), 3U);
+  EXPECT_EQ(testing::rowsNamed(in, "bound_worst").size(), 3U);
 }
 
 TEST(HostileCohort, TwoGroupsAreComparedAsIfTheEmptyOneDidNotExist) {
@@ -166,7 +160,7 @@ TEST(HostileCohort, AMissingMarkIsReportedInGroupSummaries) {
   EXPECT_EQ(table->provenance.n.str(), "898");
   EXPECT_EQ(table->provenance.missing.str(), "2");
   EXPECT_THAT(table->notes.back().str(), HasSubstr("Group 1, after 20 min: 1"));
-  const std::vector<CohortCsvRow> rows = rowsNamed(in, "marks_missing_at_occasion");
+  const std::vector<CohortCsvRow> rows = testing::rowsNamed(in, "marks_missing_at_occasion");
   ASSERT_EQ(rows.size(), 9U);
   EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.value == "1"; }), 2);
   // A trainee without marks lacks as many as the others have.
@@ -253,12 +247,12 @@ TEST(HostileCohort, AMissingClassOfRatersIsNamedLineByLineAndNothingElseIsLost) 
   EvaluationInstrument interns = whole.instrument;
   interns.classes[0].weight_milli = 1000;
   interns.classes[1].weight_milli = interns.classes[2].weight_milli = 0;
-  const std::vector<CohortCsvRow> scores = rowsNamed(in, "class_score_eq27");
+  const std::vector<CohortCsvRow> scores = testing::rowsNamed(in, "class_score_eq27");
   ASSERT_EQ(scores.size(), 9U);
   EXPECT_EQ(std::stod(scores[0].value), evaluateModel(interns, whole.ratings[0]).n27);
   EXPECT_TRUE(scores[2].value.empty());
-  EXPECT_EQ(rowsNamed(in, "mark").size(), 3U * 9U * 30U);
-  EXPECT_TRUE(rowsNamed(in, "N_eq27").empty());
+  EXPECT_EQ(testing::rowsNamed(in, "mark").size(), 3U * 9U * 30U);
+  EXPECT_TRUE(testing::rowsNamed(in, "N_eq27").empty());
   for (const char* id :
        {"table-ancova", "table-agreement", "table-training-summary", "table-within-groups"}) {
     EXPECT_NE(tableNamed(report, id), nullptr) << id;
@@ -312,18 +306,18 @@ TEST(HostileCohort, AnUnrepeatableDrawIsNotCalledRandom) {
 
 TEST(HostileCohort, TheTableOfNumbersContainsKappaDependabilityRaschAndGains) {
   const CohortInputs in = testing::demonstrationCohort();
-  EXPECT_EQ(rowsNamed(in, "kappa_quadratic_median").size(), 9U);
-  EXPECT_EQ(rowsNamed(in, "share_same_point").size(), 9U);
-  EXPECT_EQ(rowsNamed(in, "dependability").size(), 5U);
-  EXPECT_EQ(rowsNamed(in, "variance_of_raters").size(), 1U);
-  EXPECT_EQ(rowsNamed(in, "raters_needed").size(), 1U);
-  EXPECT_EQ(rowsNamed(in, "rasch_severity").size(), 10U);
-  EXPECT_EQ(rowsNamed(in, "median_gain_upper_95").size(), 3U);
-  EXPECT_EQ(rowsNamed(in, "gain_signed_rank_p").size(), 3U);
-  EXPECT_EQ(rowsNamed(in, "gain_dunn_p_holm").size(), 3U);
-  EXPECT_EQ(rowsNamed(in, "gain_kruskal_wallis_p").size(), 1U);
-  EXPECT_EQ(rowsNamed(in, "mixed_time_p_greenhouse_geisser").size(), 1U);
-  EXPECT_EQ(rowsNamed(in, "mean_rank").size(), 3U);
+  EXPECT_EQ(testing::rowsNamed(in, "kappa_quadratic_median").size(), 9U);
+  EXPECT_EQ(testing::rowsNamed(in, "share_same_point").size(), 9U);
+  EXPECT_EQ(testing::rowsNamed(in, "dependability").size(), 5U);
+  EXPECT_EQ(testing::rowsNamed(in, "variance_of_raters").size(), 1U);
+  EXPECT_EQ(testing::rowsNamed(in, "raters_needed").size(), 1U);
+  EXPECT_EQ(testing::rowsNamed(in, "rasch_severity").size(), 10U);
+  EXPECT_EQ(testing::rowsNamed(in, "median_gain_upper_95").size(), 3U);
+  EXPECT_EQ(testing::rowsNamed(in, "gain_signed_rank_p").size(), 3U);
+  EXPECT_EQ(testing::rowsNamed(in, "gain_dunn_p_holm").size(), 3U);
+  EXPECT_EQ(testing::rowsNamed(in, "gain_kruskal_wallis_p").size(), 1U);
+  EXPECT_EQ(testing::rowsNamed(in, "mixed_time_p_greenhouse_geisser").size(), 1U);
+  EXPECT_EQ(testing::rowsNamed(in, "mean_rank").size(), 3U);
 }
 
 }  // namespace

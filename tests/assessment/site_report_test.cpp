@@ -31,12 +31,6 @@ CohortInputs pooled(std::size_t sites) {
   return in;
 }
 
-std::vector<CohortCsvRow> rowsNamed(const CohortInputs& in, const std::string& statistic) {
-  std::vector<CohortCsvRow> found = cohortCsvRows(in);
-  std::erase_if(found, [&](const CohortCsvRow& row) { return row.statistic != statistic; });
-  return found;
-}
-
 TEST(SiteReport, OneCentreHasNoTableOfCentres) {
   const ReportModel report = cohortReport(testing::demonstrationCohort());
   for (const char* id :
@@ -69,7 +63,7 @@ TEST(SiteReport, CentresAreFixedBelowFiveAndRandomFromThere) {
     EXPECT_THAT(testing::firstPageOf(report), HasSubstr("centres were pooled (C1, C2"));
     EXPECT_THAT(testing::firstPageOf(report), HasSubstr("The answer has the centre in its model ("));
     EXPECT_THAT(testing::firstPageOf(report), Not(HasSubstr("No analysis takes account")));
-    EXPECT_EQ(rowsNamed(in, "difference_without_centre").size(), sites > 2 ? 3U * sites : 0U)
+    EXPECT_EQ(testing::rowsNamed(in, "difference_without_centre").size(), sites > 2 ? 3U * sites : 0U)
         << "one centre alone is no comparison within centres";
     testing::expectWellSaid(in);
   }
@@ -87,8 +81,9 @@ TEST(SiteReport, TheAnswerHasTheCentreInItsModel) {
     }
     EXPECT_THAT(answer->provenance.formula.str(),
                 HasSubstr(sites < 5 ? "the centre as a fixed factor" : "the centre as a random effect"));
-    EXPECT_EQ(rowsNamed(in, "primary_analysis").at(0).value, "analysis of covariance within centres");
-    const auto difference = rowsNamed(in, "centre_difference");
+    EXPECT_EQ(testing::rowsNamed(in, "primary_analysis").at(0).value,
+              "analysis of covariance within centres");
+    const auto difference = testing::rowsNamed(in, "centre_difference");
     EXPECT_NEAR(std::stod(difference.at(0).value), answer->series[0].y.at(0).value(), 1e-12);
   }
 }
@@ -114,11 +109,11 @@ TEST(SiteReport, ReadersWhoMaySeeNoIndividualsSeeNoCentre) {
   EXPECT_EQ(tableNamed(report, "table-centre-by-centre"), nullptr);
   EXPECT_EQ(tableNamed(report, "table-flow-centres"), nullptr);
   for (const char* one : {"difference_at_centre", "difference_without_centre", "centre_allocated"}) {
-    EXPECT_TRUE(rowsNamed(in, one).empty()) << one;
+    EXPECT_TRUE(testing::rowsNamed(in, one).empty()) << one;
   }
   in.identity = ReportIdentity::kCoded;
   in.singleMarks = false;  // two trainees of a group at each centre
-  EXPECT_TRUE(rowsNamed(in, "difference_at_centre").empty());
+  EXPECT_TRUE(testing::rowsNamed(in, "difference_at_centre").empty());
 }
 
 TEST(SiteReport, DeviceAndStationAreFurtherFactorsWhereTheyDiffer) {

@@ -218,10 +218,14 @@ std::string paragraphsOf(const ReportModel& report) {
   return all;
 }
 
+std::vector<CohortCsvRow> rowsNamed(const CohortInputs& in, const std::string& statistic) {
+  std::vector<CohortCsvRow> found = cohortCsvRows(in);
+  std::erase_if(found, [&](const CohortCsvRow& row) { return row.statistic != statistic; });
+  return found;
+}
+
 std::int64_t csvCount(const CohortInputs& in, const std::string& statistic) {
-  const std::vector<CohortCsvRow> rows = cohortCsvRows(in);
-  return std::count_if(rows.begin(), rows.end(),
-                       [&](const CohortCsvRow& row) { return row.statistic == statistic; });
+  return static_cast<std::int64_t>(rowsNamed(in, statistic).size());
 }
 
 std::vector<Said> everythingSaid(const ReportModel& report) {

@@ -40,7 +40,9 @@ namespace torsio::testing {
 [[nodiscard]] std::string paragraphsOf(const ReportModel& report);
 /// Returns the sentences of the first page, one per line.
 [[nodiscard]] std::string firstPageOf(const ReportModel& report);
-/// Returns the number of rows with this statistic in the table of numbers.
+/// Returns the rows with this statistic in the table of numbers.
+[[nodiscard]] std::vector<CohortCsvRow> rowsNamed(const CohortInputs& in, const std::string& statistic);
+/// Returns their number.
 [[nodiscard]] std::int64_t csvCount(const CohortInputs& in, const std::string& statistic);
 
 /// A sentence or cell of a report, with its heading.

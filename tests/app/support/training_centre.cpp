@@ -17,7 +17,7 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kPassword = "a long enough password";
+constexpr const char* kTrainingPassword = "a long enough password";
 
 TrainingModule moduleOf(const std::string& id, const std::string& code, const std::string& mode,
                         std::int64_t inARow, const TrainingCentre::Setup& setup) {
@@ -71,9 +71,9 @@ void TrainingCentre::fill(const Setup& setup) {
   const std::vector<TraineeId> trainees{addTrainee("T-01", setup.simulated),
                                         addTrainee("T-02", setup.simulated)};
   const RaterId chief = addChief("R-01");
-  addUser("T-01", trainees[0], "trainee", kPassword);
-  addUser("T-02", trainees[1], "trainee", kPassword);
-  addUser("chief", chief, "rater", kPassword);
+  addUser("T-01", trainees[0], "trainee", kTrainingPassword);
+  addUser("T-02", trainees[1], "trainee", kTrainingPassword);
+  addUser("chief", chief, "rater", kTrainingPassword);
 
   CurriculumVersion version;
   version.id = ids().newUuid();

@@ -27,7 +27,7 @@ using testing::torus;
 const Vec3 kOrganRadius_m{0.04, 0.05, 0.08};
 
 // The message with which `mesh` is refused, or "accepted".
-std::string refusal(const TriangleMesh& mesh, double unit_m = 0.001) {
+std::string organRefusal(const TriangleMesh& mesh, double unit_m = 0.001) {
   const std::optional<Error> error =
       testing::errorOf([&] { return requireOrgan(mesh, "organ.obj", unit_m); });
   if (!error) {
@@ -95,7 +95,7 @@ TEST(MeshReport, FindsTheVertexWhereTwoPartsTouch) {
   EXPECT_EQ(report.nonManifoldVertices, 1U);
   EXPECT_EQ(report.components, 1U);
   EXPECT_NEAR(report.firstNonManifold_m.z, 0.08, 1e-12);
-  EXPECT_THAT(refusal(mesh), HasSubstr("M12 1 vertex where two parts only touch"));
+  EXPECT_THAT(organRefusal(mesh), HasSubstr("M12 1 vertex where two parts only touch"));
 }
 
 TEST(MeshReport, StopsAtIndicesAndNumbersThatCannotBeUsed) {
@@ -211,7 +211,7 @@ TEST(RequireOrgan, DropsDebrisAndInnerShells) {
 TEST(RequireOrgan, RefusesTwoOrgans) {
   const TriangleMesh mesh = ellipsoid(kOrganRadius_m);
 
-  EXPECT_THAT(refusal(together(mesh, mesh, {0.2, 0, 0})),
+  EXPECT_THAT(organRefusal(together(mesh, mesh, {0.2, 0, 0})),
               HasSubstr("organ.obj: M14 separate pieces hold 50 % of the surface"));
 }
 
@@ -221,7 +221,8 @@ TEST(RequireOrgan, RefusesAnOpenSurfaceAndSaysWhere) {
     return mesh.vertices_m[t[0]].z > 0.07;  // the top is cut off
   });
 
-  EXPECT_THAT(refusal(mesh), HasSubstr("M11 the surface is open: 24 boundary edges in 1 hole, first at ("));
+  EXPECT_THAT(organRefusal(mesh),
+              HasSubstr("M11 the surface is open: 24 boundary edges in 1 hole, first at ("));
 }
 
 TEST(RequireOrgan, RefusesAnEdgeWithThreeFaces) {
@@ -230,11 +231,11 @@ TEST(RequireOrgan, RefusesAnEdgeWithThreeFaces) {
   const TriangleMesh::Triangle t = mesh.triangles[60];
   mesh.triangles.push_back({t[0], t[1], static_cast<std::uint32_t>(mesh.vertices_m.size() - 1)});
 
-  EXPECT_THAT(refusal(mesh), HasSubstr("M12 1 edge shared by more than two faces"));
+  EXPECT_THAT(organRefusal(mesh), HasSubstr("M12 1 edge shared by more than two faces"));
 }
 
 TEST(RequireOrgan, RefusesARing) {
-  EXPECT_THAT(refusal(torus(0.06, 0.02)), HasSubstr("M16 the surface has 1 handle"));
+  EXPECT_THAT(organRefusal(torus(0.06, 0.02)), HasSubstr("M16 the surface has 1 handle"));
 }
 
 TEST(RequireOrgan, RefusesAOneSidedSurface) {
@@ -247,34 +248,34 @@ TEST(RequireOrgan, RefusesAOneSidedSurface) {
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
                     {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
 
-  EXPECT_THAT(refusal(mesh), HasSubstr("M13 the surface is one-sided"));
+  EXPECT_THAT(organRefusal(mesh), HasSubstr("M13 the surface is one-sided"));
 }
 
 TEST(RequireOrgan, RefusesAFlatSurface) {
-  EXPECT_THAT(refusal(ellipsoid({0.08, 0.0002, 0.08})),
+  EXPECT_THAT(organRefusal(ellipsoid({0.08, 0.0002, 0.08})),
               HasSubstr("M18 the surface is flat: mean thickness 0."));
 }
 
 TEST(RequireOrgan, RefusesACoarseSurface) {
-  EXPECT_THAT(refusal(ellipsoid(kOrganRadius_m, 10, 10)), HasSubstr("M19 too coarse: 180 triangles"));
+  EXPECT_THAT(organRefusal(ellipsoid(kOrganRadius_m, 10, 10)), HasSubstr("M19 too coarse: 180 triangles"));
 }
 
 TEST(RequireOrgan, RefusesAnEmptyMeshABadIndexAndABadNumber) {
-  EXPECT_THAT(refusal({}), HasSubstr("M06 no triangles"));
+  EXPECT_THAT(organRefusal({}), HasSubstr("M06 no triangles"));
 
   TriangleMesh mesh = ellipsoid(kOrganRadius_m);
   mesh.triangles[7][1] = 1'000'000;
-  EXPECT_THAT(refusal(mesh), HasSubstr("M08 face 7 uses vertex 1000000 of 362"));
+  EXPECT_THAT(organRefusal(mesh), HasSubstr("M08 face 7 uses vertex 1000000 of 362"));
 
   mesh = ellipsoid(kOrganRadius_m);
   mesh.vertices_m[5].y = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(refusal(mesh), HasSubstr("M07 vertex 5 is not a finite number"));
+  EXPECT_THAT(organRefusal(mesh), HasSubstr("M07 vertex 5 is not a finite number"));
 
   mesh = ellipsoid(kOrganRadius_m);
   for (Vec3& v : mesh.vertices_m) {
     v.x += 1000.0;
   }
-  EXPECT_THAT(refusal(mesh), HasSubstr("M07 vertex 0 is at ("));
+  EXPECT_THAT(organRefusal(mesh), HasSubstr("M07 vertex 0 is at ("));
 }
 
 struct UnitCase {
@@ -290,7 +291,7 @@ TEST_P(RequireOrganUnit, GuessesTheRightUnit) {
   const double side_m = c.fileSize * c.unit_m;
   const TriangleMesh mesh = ellipsoid({0.25 * side_m, 0.25 * side_m, 0.5 * side_m});
 
-  EXPECT_THAT(refusal(mesh, c.unit_m), HasSubstr(c.answer));
+  EXPECT_THAT(organRefusal(mesh, c.unit_m), HasSubstr(c.answer));
 }
 
 INSTANTIATE_TEST_SUITE_P(

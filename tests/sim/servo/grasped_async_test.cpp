@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/async_model.h"
+#include "sim/core/time_units.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/grasped_bar.h"
 #include "sim/servo/hand_task.h"
@@ -14,7 +15,6 @@
 namespace torsio {
 namespace {
 
-constexpr std::int64_t kTick_us = 1000;
 constexpr AsyncAnswer kAnswer{AsyncState::kSound, 0.5, 0.2, 0.4};
 
 /// A bar that an asynchronous model answers, gripped.
@@ -34,7 +34,7 @@ class GraspedAsyncTest : public ::testing::Test {
     return tissue.feel(axis.centre_m + axis.e1 * arm_m, motion, organ);
   }
 
-  GraspedAsync tissue{scene(), kTick_us};
+  GraspedAsync tissue{scene(), kTickPeriod_us};
   JawMotion motion{TwistDrive::kTangential};
   OrganState organ;
 
@@ -76,7 +76,7 @@ TEST_F(GraspedAsyncTest, FeelsNothingBeforeTheFirstAnswerToItsGrip) {
 
 TEST_F(GraspedAsyncTest, IsLateWhenTheModelIsSilentTooLongAndTrustsItsNextAnswer) {
   tissue.takeAnswer(kAnswer);
-  for (std::int64_t us = 0; us < kAsyncLate_us; us += kTick_us) {
+  for (std::int64_t us = 0; us < kAsyncLate_us; us += kTickPeriod_us) {
     tissue.takeAnswer({});
   }
   EXPECT_FALSE(feelAt(0.5).late);
@@ -115,7 +115,7 @@ class LoopWithAsyncModel : public ::testing::Test {
 
   void tick() {
     loop_.tick(time_us_);
-    time_us_ += kTick_us;
+    time_us_ += kTickPeriod_us;
   }
   void tickUntilHeld() {
     while (loop_.lastSample().phase != ExercisePhase::kTwisting) {
@@ -129,7 +129,7 @@ class LoopWithAsyncModel : public ::testing::Test {
   }
   /// Runs the time of a doubt; a sound model would have spoken.
   void tickWithout(std::int64_t span_us) {
-    for (std::int64_t us = 0; us < span_us; us += kTick_us) {
+    for (std::int64_t us = 0; us < span_us; us += kTickPeriod_us) {
       tick();
     }
   }
@@ -163,7 +163,7 @@ TEST_F(LoopWithAsyncModel, DropsTheGripForceWhenTheModelHangs) {
   ASSERT_NE(loop_.lastSample().response.torque_Nm, 0.0);
   EXPECT_EQ(loop_.lastSample().limits & kForceModelLate, 0U);
 
-  tickWithout(kAsyncLate_us + 2 * kTick_us);
+  tickWithout(kAsyncLate_us + 2 * kTickPeriod_us);
 
   ASSERT_EQ(loop_.lastSample().phase, ExercisePhase::kTwisting);
   EXPECT_NE(loop_.lastSample().limits & kForceModelLate, 0U);

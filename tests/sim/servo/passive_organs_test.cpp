@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/random.h"
+#include "sim/core/time_units.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/record/trial.h"
 #include "sim/scene/hollow_organ.h"
@@ -27,7 +28,6 @@ using testing::Hand;
 using testing::kMaxGiven_J;
 using testing::LedHand;
 
-constexpr std::int64_t kTick_us = 1000;
 constexpr int kTicks = 1'200;
 constexpr int kHands = 4;  // for each organ, pattern and state
 
@@ -43,11 +43,11 @@ constexpr std::int64_t kLong_us = 90'000;
 const std::vector<State>& states() {
   static const std::vector<State> kAll{
       {"ready", kDeviceOk, 0, 0},
-      {"stale ticks", kDeviceStale, 7 * kTick_us, 2 * kTick_us},
+      {"stale ticks", kDeviceStale, 7 * kTickPeriod_us, 2 * kTickPeriod_us},
       {"stale for long", kDeviceStale, 4 * kLong_us, kLong_us},
       {"uncalibrated", kDeviceUncalibrated, 4 * kLong_us, kLong_us},
       {"lost", kDeviceLost, 4 * kLong_us, kLong_us},
-      {"invalid poses", kDeviceInvalid, 11 * kTick_us, 3 * kTick_us},
+      {"invalid poses", kDeviceInvalid, 11 * kTickPeriod_us, 3 * kTickPeriod_us},
       {"warm", kDeviceWarm, 4 * kLong_us, 2 * kLong_us},
   };
   return kAll;
@@ -114,7 +114,7 @@ TEST(PassiveOrgans, GiveAHandNoMoreThanAMillijouleInAnyStateOfTheDevice) {
                            .maxStiffness_N_per_m = device.capabilities().maxStiffness_N_per_m},
                           scene, seed);
           for (int tick = 0; tick < kTicks; ++tick) {
-            loop.tick(kTick_us * tick);
+            loop.tick(kTickPeriod_us * tick);
             device.lend(lender.step(toolState(loop.lastSample().device)).lent_J);
             const Sample& last = loop.lastSample();
             if (last.response.force_N == Vec3{} && last.force_N == Vec3{}) {

@@ -144,14 +144,14 @@ TEST(PolarMesh, KeepsItsRaysWhereANotchForbidsToLeaveThemOut) {
 TEST(PolygonMesh, FillsAnySectionWithWellShapedTriangles) {
   const std::vector<shapes::Outline> holes = {shapes::circle(40, 0.2, {0.5, 0.0}),
                                               shapes::circle(40, 0.25, {-0.4, 0.3})};
-  struct Case {
+  struct Filled {
     shapes::Outline outline;
     std::vector<shapes::Outline> holes;
     double angle;
   };
-  for (const Case& c : {Case{shapes::kidney(150), {}, 15.0}, Case{shapes::organ(128), holes, 15.0},
-                        Case{shapes::circle(100), {shapes::circle(100, 0.9)}, 15.0},
-                        Case{shapes::rectangle(20.0, 1.0), {}, 15.0}}) {
+  for (const Filled& c : {Filled{shapes::kidney(150), {}, 15.0}, Filled{shapes::organ(128), holes, 15.0},
+                          Filled{shapes::circle(100), {shapes::circle(100, 0.9)}, 15.0},
+                          Filled{shapes::rectangle(20.0, 1.0), {}, 15.0}}) {
     const SectionShape shape = prepareSection(c.outline, c.holes, 128);
     std::vector<BoundaryLoop> loops;
     for (const SampledLoop& hole : shape.holes) {
