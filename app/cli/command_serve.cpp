@@ -2,16 +2,19 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <cstdint>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <pthread.h>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -46,6 +49,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kFirstPause(250);
 constexpr std::chrono::milliseconds kLongestPause(2000);
+constexpr std::chrono::seconds kLongestEnd(15);  // requests that were received have 10 s
 
 struct ServeArguments {
   DatabaseOption database;
@@ -158,22 +162,6 @@ bool waitForTheRecord(const ServeArguments& arguments, const std::string& locato
   }
 }
 
-/// Returns when a signal stops the server, or when its owner process ends. Meanwhile tells the service
-/// manager that the desk is alive.
-void serveUntilTheEnd(const sigset_t& signals, std::int64_t process, web::WebDesk& desk) {
-  web::tellServiceManager("READY=1\nSTATUS=Open");
-  while (!endsWithin(signals, std::chrono::seconds(1))) {
-    if (process != 0 && kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) {
-      break;
-    }
-    if (desk.isAlive()) {
-      web::tellServiceManager("WATCHDOG=1");
-    }
-  }
-  web::tellServiceManager("STOPPING=1");
-  desk.endWaiting();
-}
-
 /// Publishes an open desk to other processes of this machine in a file that is removed with it.
 class DeskNotice {
  public:
@@ -186,7 +174,8 @@ class DeskNotice {
   }
   DeskNotice(const DeskNotice&) = delete;
   DeskNotice& operator=(const DeskNotice&) = delete;
-  ~DeskNotice() {
+  ~DeskNotice() { withdraw(); }
+  void withdraw() const {
     if (lock_) {
       std::error_code gone;
       std::filesystem::remove(file_, gone);
@@ -207,6 +196,61 @@ class DeskNotice {
   std::filesystem::path file_;
   std::optional<FileLock> lock_;
 };
+
+/// Ends the process where a desk that was told to stop cannot: a database server that is frozen takes what is
+/// sent and answers nothing, so that the desk's threads wait for ever. The server undoes what it has not
+/// committed. Construct it before the desk; it guards until it is destroyed.
+class LatestEnd {
+ public:
+  explicit LatestEnd(const DeskNotice& notice) : notice_(notice) {}
+  LatestEnd(const LatestEnd&) = delete;
+  LatestEnd& operator=(const LatestEnd&) = delete;
+  ~LatestEnd() {
+    {
+      const std::lock_guard lock(mutex_);
+      ended_ = true;
+    }
+    changed_.notify_all();
+    if (guard_.joinable()) {
+      guard_.join();
+    }
+  }
+  /// From now on the desk has kLongestEnd.
+  void begin() {
+    guard_ = std::thread([this] {
+      std::unique_lock lock(mutex_);
+      if (!changed_.wait_for(lock, kLongestEnd, [this] { return ended_; })) {
+        writeLog(LogLevel::kError, "The database server does not answer; the review desk ended without it");
+        notice_.withdraw();
+        _exit(static_cast<int>(ErrorCode::kDatabase));
+      }
+    });
+  }
+
+ private:
+  const DeskNotice& notice_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool ended_ = false;
+  std::thread guard_;
+};
+
+/// Returns when a signal stops the server, or when its owner process ends. Meanwhile tells the service
+/// manager that the desk is alive.
+void serveUntilTheEnd(const sigset_t& signals, std::int64_t process, web::WebDesk& desk, LatestEnd& latest) {
+  web::tellServiceManager("READY=1\nSTATUS=Open");
+  while (!endsWithin(signals, std::chrono::seconds(1))) {
+    if (process != 0 && kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) {
+      break;
+    }
+    if (desk.isAlive()) {
+      web::tellServiceManager("WATCHDOG=1");
+    }
+  }
+  web::tellServiceManager("STOPPING=1");
+  latest.begin();
+  desk.endWaiting();
+}
 
 /// Qt's database driver warns of each statement of a lost connection; the desk logs its loss once.
 void dropWarningsOfQt() {
@@ -252,6 +296,7 @@ void serve(const ServeArguments& arguments) {
       writeLog(LogLevel::kWarning, moved.str());
     }
   }
+  LatestEnd latest(notice);
   web::WebDesk desk({.locator = locator,
                      .assets = assetsFolder(),
                      .publicUrl = arguments.publicUrl,
@@ -282,7 +327,7 @@ void serve(const ServeArguments& arguments) {
     writeLog(LogLevel::kInfo, "The review desk of torsio " + softwareVersion() + " is open");
   }
   notice.write(addresses, fingerprint, arguments.endsWith);
-  serveUntilTheEnd(signals, arguments.endsWith, desk);
+  serveUntilTheEnd(signals, arguments.endsWith, desk, latest);
 }
 
 }  // namespace

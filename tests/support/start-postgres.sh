@@ -5,6 +5,7 @@
 #   export TORSIO_TEST_POSTGRES=$(tests/support/start-postgres.sh start)   prints its address
 #   tests/support/start-postgres.sh stop                                   stops the server of TORSIO_TEST_POSTGRES
 #   tests/support/start-postgres.sh down | crash | up                      the same server goes away, and comes back
+#   tests/support/start-postgres.sh freeze | thaw                          it takes connections and answers nothing
 #
 # PostgreSQL refuses to run as root: as root, starts it as the user postgres (created by Debian's package) or nobody.
 # Its data are disposable, so it does not wait for the disk. Its certificate is for "localhost" only, not for addresses,
@@ -32,6 +33,18 @@ unprivileged() {
 
 cluster_folder() { echo "${TMPDIR:-/tmp}/torsio-postgres-$1"; }
 
+# The data lie in memory where there is plenty: each of hundreds of tests makes and removes a hundred tables, which are files.
+place_data() {
+  local folder=$1 memory
+  memory=/dev/shm/$(basename "$folder")
+  if [ -w /dev/shm ] && [ "$(df --output=avail -k /dev/shm | tail -n 1)" -gt 4000000 ] &&
+    [ "$(awk '/^MemAvailable/ { print $2 }' /proc/meminfo)" -gt 8000000 ] && mkdir "$memory" 2>/dev/null; then
+    ln -s "$memory" "$folder/data"
+    [ "$(id -u)" -ne 0 ] || chown "$(id -u postgres 2>/dev/null || id -u nobody)" "$memory"
+  fi
+}
+remove() { rm -rf "$(readlink -f "$1/data")" "$1"; }
+
 # Clients may request TLS: a certificate of the cluster's own authority.
 make_certificates() {
   local folder=$1
@@ -53,8 +66,9 @@ start() {
     mkdir "$folder" 2>/dev/null || continue
     (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null && { rmdir "$folder"; continue; }
     echo "$password" > "$folder/password"
-    echo "-c listen_addresses=127.0.0.1 -c port=$port -c unix_socket_directories= -c ssl=on -c ssl_cert_file=$folder/server.crt -c ssl_key_file=$folder/server.key -c fsync=off -c full_page_writes=off" > "$folder/options"
+    echo "-c listen_addresses=127.0.0.1 -c port=$port -c unix_socket_directories= -c ssl=on -c ssl_cert_file=$folder/server.crt -c ssl_key_file=$folder/server.key -c fsync=off -c full_page_writes=off -c wal_level=minimal -c max_wal_senders=0" > "$folder/options"
     make_certificates "$folder"
+    place_data "$folder"
     [ "$(id -u)" -ne 0 ] || chown -R "$(id -u postgres 2>/dev/null || id -u nobody)" "$folder"
     if (cd "$folder" &&
         unprivileged "$tools/initdb" -D "$folder/data" -U torsio --pwfile="$folder/password" -A scram-sha-256 \
@@ -67,7 +81,7 @@ start() {
       return
     fi
     cat "$folder/start.log" "$folder/log" >&2 2>/dev/null || true
-    rm -rf "$folder"
+    remove "$folder"
   done
   fail "no cluster could be started"
 }
@@ -91,7 +105,7 @@ stop() {
   local folder
   folder=$(cluster_of_the_address)
   control "$folder" -m immediate stop
-  rm -rf "$folder"
+  remove "$folder"
 }
 
 down() { control "$(cluster_of_the_address)" -m fast stop; }
@@ -104,8 +118,18 @@ up() {
   control "$folder" -t 60 -l "$folder/log" start -o "$(cat "$folder/options")"
 }
 
+# signal_all SIGNAL: to the server and its processes
+signal_all() {
+  local server
+  server=$(head -n 1 "$(cluster_of_the_address)/data/postmaster.pid")
+  # shellcheck disable=SC2046
+  kill "-$1" "$server" $(sed -E 's/[(].*[)]/name/' /proc/[0-9]*/stat 2>/dev/null | awk -v server="$server" '$4 == server { print $1 }')
+}
+freeze() { signal_all STOP; }
+thaw() { signal_all CONT; }
+
 case "${1:-}" in
   start) start ;;
-  stop | down | crash | up) "$1" ;;
-  *) fail "say start, stop, down, crash or up" ;;
+  stop | down | crash | up | freeze | thaw) "$1" ;;
+  *) fail "say start, stop, down, crash, up, freeze or thaw" ;;
 esac

@@ -51,6 +51,9 @@ class OwnServer {
   }
   void goAway() const { run("down"); }
   void comeBack() const { run("up"); }
+  /// It takes connections and answers nothing, until it is thawed.
+  void freeze() const { run("freeze"); }
+  void thaw() const { run("thaw"); }
 
  private:
   /// Returns the first line of the script's answer.
@@ -168,6 +171,32 @@ TEST_F(AwayDatabase, TheServerWaitsForADatabaseThatIsAwayAtStart) {
   EXPECT_TRUE(client.signIn("physician0", kWebPassword));
   EXPECT_EQ(patient.errors().find("Waiting for the database server: "), 0U) << patient.errors();
   EXPECT_EQ(patient.stopped(), 0);
+}
+
+TEST_F(AwayDatabase, TheServerStopsThoughTheDatabaseIsFrozen) {
+  ReviewCentre centre(setup());
+  const std::vector<std::string> environment{server().passwordFile(centre.folder() / "pgpass")};
+  ServingProgram served(centre, environment);
+  const std::uint16_t port = served.port();
+  ASSERT_NE(port, 0) << served.errors();
+
+  server().freeze();
+  std::vector<std::thread> pages;
+  for (int i = 0; i < 12; ++i) {
+    pages.emplace_back([port] { (void)WebClient(port).get("/readyz"); });
+  }
+  std::this_thread::sleep_for(1s);
+  const Clock::time_point told = Clock::now();
+  EXPECT_EQ(served.stopped(), 9);
+  EXPECT_LT(Clock::now() - told, 25s);
+  server().thaw();
+  for (std::thread& page : pages) {
+    page.join();
+  }
+
+  EXPECT_NE(served.errors().find("ended without it"), std::string::npos) << served.errors();
+  EXPECT_FALSE(std::filesystem::exists(centre.folder() / "desk.json"))
+      << "nobody is sent to a desk that ended";
 }
 
 /// Receives what a service tells systemd.
