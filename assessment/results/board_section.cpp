@@ -44,25 +44,6 @@ struct AnsweredPair {
   double pHolm = 1.0;
 };
 
-/// Returns the decimals needed to distinguish the ends of the interval from each other, and from zero if it
-/// excludes zero.
-int decimalsOf(const Interval& interval) {
-  constexpr int kMaxDecimals = 4;
-  constexpr double kSteps = 2.0;  // in units of the last decimal, between the ends
-  const double fromZero = interval.lower * interval.upper > 0.0
-                              ? std::min(std::abs(interval.lower), std::abs(interval.upper))
-                              : 1.0;
-  int decimals = kPointDecimals;
-  const auto tooFew = [&] {
-    const double step = std::pow(10.0, -decimals);
-    return interval.upper - interval.lower < kSteps * step || fromZero < 0.5 * step;
-  };
-  while (decimals < kMaxDecimals && tooFew()) {
-    ++decimals;
-  }
-  return decimals;
-}
-
 /// Returns the pairs of the primary comparison that the reader may see.
 std::vector<AnsweredPair> answeredPairs(const CohortInputs& in, const StudyAnalysis& study,
                                         const Ledger& ledger) {

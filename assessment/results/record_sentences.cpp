@@ -2,6 +2,7 @@
 #include "assessment/results/record_sentences.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
@@ -97,6 +98,23 @@ std::vector<ReportParagraph> blindingSentences(const CohortInputs& in, const Led
   return sentences;
 }
 
+int decimalsOf(const Interval& interval) {
+  constexpr int kMaxDecimals = 4;
+  constexpr double kSteps = 2.0;  // in units of the last decimal, between the ends
+  const double fromZero = interval.lower * interval.upper > 0.0
+                              ? std::min(std::abs(interval.lower), std::abs(interval.upper))
+                              : 1.0;
+  int decimals = kPointDecimals;
+  const auto tooFew = [&] {
+    const double step = std::pow(10.0, -decimals);
+    return interval.upper - interval.lower < kSteps * step || fromZero < 0.5 * step;
+  };
+  while (decimals < kMaxDecimals && tooFew()) {
+    ++decimals;
+  }
+  return decimals;
+}
+
 ReportParagraph detectableSentence(const StudyAnalysis& study, const Ledger& ledger) {
   std::optional<std::pair<double, ReportCell>> least;
   std::optional<std::pair<double, ReportCell>> most;
@@ -106,7 +124,7 @@ ReportParagraph detectableSentence(const StudyAnalysis& study, const Ledger& led
     if (!value) {
       continue;
     }
-    const ReportCell cell = at("detectable_difference", fixed(2));
+    const ReportCell cell = at("detectable_difference", fixed(decimalsOf({0.0, *value})));
     least = !least || *value < least->first ? std::pair(*value, cell) : least;
     most = !most || *value > most->first ? std::pair(*value, cell) : most;
   }

@@ -15,6 +15,9 @@ namespace torsio {
 /// The same with what the record knows of the raters of the models.
 [[nodiscard]] std::vector<ReportParagraph> blindingSentences(const CohortInputs& inputs,
                                                              const Ledger& ledger);
+/// Returns the decimals needed to distinguish the ends of an interval of points from each other, and from
+/// zero if it excludes zero.
+[[nodiscard]] int decimalsOf(const Interval& interval);
 /// States which difference the comparison detects, and what it cannot show.
 [[nodiscard]] ReportParagraph detectableSentence(const StudyAnalysis& study, const Ledger& ledger);
 /// States that the cohort is simulated, or imported from where; empty: neither.

@@ -16,6 +16,7 @@
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
 #include "assessment/results/number_format.h"
+#include "assessment/results/record_sentences.h"
 #include "assessment/results/study_analysis.h"
 #include "assessment/statistics/power.h"
 #include "tests/support/demonstration_cohort.h"
@@ -199,8 +200,16 @@ TEST(HostileCohort, TheDetectableDifferenceFollowsFromTheGroups) {
   for (const AdjustedDifference& pair : study.ancova->spread.pairs) {
     least = std::min(least, pair.error * detectableStandardErrors(pair.df, 0.8, 0.05 / 3.0));
   }
-  EXPECT_THAT(said, HasSubstr("a difference of " + formatFixed(least, 2) + " to "));
+  EXPECT_THAT(said, HasSubstr("a difference of " + formatFixed(least, 1) + " to "));
   EXPECT_THAT(said, HasSubstr("shared among the pairs as in Holm's first step"));
+}
+
+TEST(HostileCohort, PointsHaveTheDecimalsThatTellThemFromZeroAndFromEachOther) {
+  EXPECT_EQ(decimalsOf({-1.5, 2.5}), 1);
+  EXPECT_EQ(decimalsOf({0.02, 1.5}), 2) << "0.0 would include zero";
+  EXPECT_EQ(decimalsOf({-0.013, 0.02}), 2) << "-0.0 to 0.0 says nothing";
+  EXPECT_EQ(decimalsOf({0.0, 0.87}), 1) << "a detectable difference";
+  EXPECT_EQ(decimalsOf({0.0, 0.003}), 3);
 }
 
 TEST(HostileCohort, AClassOfWeightZeroIsReportedAsNotCounting) {
