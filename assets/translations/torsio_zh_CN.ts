@@ -1653,7 +1653,7 @@
     </message>
     <message>
         <source>Groups are compared by a linear mixed model, as %1: the marks at the end, adjusted for the mean mark before, trainees and raters as random effects, restricted maximum likelihood, degrees of freedom after Satterthwaite. The analysis of covariance is shown beside it.</source>
-        <translation>因%1，各组用线性混合模型比较：结束时的评分，按训练前的平均评分校正，学员和评分者为随机效应，采用限制性最大似然，自由度按 Satterthwaite 计算。协方差分析并列给出。</translation>
+        <translation>因%1，各组用线性混合模型比较：结束时的评分，按训练前的平均评分校正，学员和评分者为随机效应，采用限制性极大似然，自由度按 Satterthwaite 计算。协方差分析并列给出。</translation>
     </message>
     <message>
         <source>Planned: the analysis of covariance of the score at the end on the score before.</source>
@@ -8157,7 +8157,7 @@
     </message>
     <message>
         <source>the likelihood has no finite maximum: nothing in the ratings bounds %1</source>
-        <translation>似然函数没有有限的最大值：评分无法界定 %1</translation>
+        <translation>似然函数没有有限的最大值：评分无法界定：%1</translation>
     </message>
     <message>
         <source>Practice</source>
@@ -10465,7 +10465,7 @@
     </message>
     <message>
         <source>Strictest first. Scores are not corrected for severity, and not every trainee is scored by the same raters: a strict or lenient rater may change their order.</source>
-        <translation>最严格者在前。得分未按严格程度校正，且并非每名学员都由相同的评分者评分：严格或宽松的评分者可能改变学员的次序。</translation>
+        <translation>最严者在前。得分未按严格度校正，且并非每名学员都由相同的评分者评分：严格或宽松的评分者可能改变学员的次序。</translation>
     </message>
     <message>
         <source>No commitment to the seed is in the record.</source>
@@ -18719,7 +18719,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Severity, corrected (logits) [95 %]</source>
-        <translation>严格程度，已校正（对数单位）[95 %]</translation>
+        <translation>严格度，已校正（对数单位）[95 %]</translation>
     </message>
     <message>
         <source>Joint estimate</source>
@@ -18727,7 +18727,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater&apos;s marks follow the model; the marks that occur, in their order, are its categories. Joint estimates lie too far apart; the corrected ones allow for it, and their intervals come from leaving out trainees.</source>
-        <translation>正值：更严格。严格程度之和为零。评分符合模型时，两种拟合值约为 1；出现过的评分按次序作为类别。联合估计值彼此相距过大；校正值对此作了调整，其区间由逐一剔除学员得出。</translation>
+        <translation>正值：更严格。严格度之和为零。评分符合模型时，两种拟合值约为 1；出现过的评分按次序作为类别。联合估计值彼此相距过大；校正值对此作了调整，其区间由逐一剔除学员得出。</translation>
     </message>
     <message>
         <source>field &apos;most_deg&apos;</source>
@@ -20763,11 +20763,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>The linear mixed model corrects for the severity of a rater only as far as the same rater scored several groups.</source>
-        <translation>只有当同一评分者评过多个组时，线性混合模型才能校正其严格程度。</translation>
+        <translation>只有当同一评分者评过多个组时，线性混合模型才能校正其严格度。</translation>
     </message>
     <message>
         <source>Raters who scored trainees of some groups only %1: %2. How severe such a rater is cannot be told from what the training did: a difference between groups may be one between raters.</source>
-        <translation>%1只评了部分组学员的评分者：%2。这类评分者的严格程度无法与训练效果区分：组间差异可能是评分者之间的差异。</translation>
+        <translation>%1只评了部分组学员的评分者：%2。这类评分者的严格度无法与训练效果区分：组间差异可能是评分者之间的差异。</translation>
     </message>
     <message>
         <source>%1 %2, so the linear mixed model is the primary comparison here: it uses every mark at the end of everybody who also has one before. The analysis of covariance is shown beside it, for the %3 {trainee|trainees} with a score at both occasions.</source>
@@ -21723,7 +21723,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>linear mixed model, centre random, restricted maximum likelihood, Satterthwaite</source>
-        <translation>线性混合模型，中心为随机效应，限制性最大似然，Satterthwaite 自由度</translation>
+        <translation>线性混合模型，中心为随机效应，限制性极大似然，Satterthwaite 自由度</translation>
     </message>
     <message>
         <source>analysis of covariance, centre fixed, HC3</source>
@@ -22023,7 +22023,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>For %1, %2 minutes on the simulator are noted per trainee on average, but no run is recorded.</source>
-        <translation>%1 平均每名学员登记了 %2 分钟的模拟器训练，但没有任何操作记录。</translation>
+        <translation>%1：平均每名学员登记了 %2 分钟的模拟器训练，但没有任何操作记录。</translation>
     </message>
     <message>
         <source>Answer: not shown, because it rests on too few people.</source>
@@ -22223,7 +22223,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>People: %1 {trainee|trainees} in %2 {group|groups}, %3 of them compared at the end, %4 of them withdrew; %5 {physician|physicians} gave %6 {mark|marks}; %7 {deviation from the protocol was|deviations from the protocol were} reported.</source>
-        <translation>人员：%1 名学员分为 %2 组，其中 %3 名参与末次比较，%4 名退出；%5 名医师给出 %6 个分数；报告了 %7 次方案偏离。</translation>
+        <translation>人员：%1 名学员分为 %2 组，其中 %3 名参与末次比较，%4 名退出；%5 名医师给出 %6 个评分；报告了 %7 次方案偏离。</translation>
     </message>
     <message>
         <source>%1: %2 %3</source>
@@ -22451,7 +22451,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>For %1, %2 minutes on the simulator are noted per trainee on average, but the recorded runs last only %3 {minute|minutes}: most of the training is not in the record.</source>
-        <translation>%1：每名学员平均登记了 %2 分钟的模拟器训练，但录制的操作平均仅 %3 分钟：大部分训练不在记录中。</translation>
+        <translation>%1：平均每名学员登记了 %2 分钟的模拟器训练，但录制的操作平均仅 %3 分钟：大部分训练不在记录中。</translation>
     </message>
 </context>
 <context>

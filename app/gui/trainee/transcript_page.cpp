@@ -4,6 +4,7 @@
 #include <map>
 #include <system_error>
 
+#include <QBuffer>
 #include <QPageLayout>
 #include <QPdfWriter>
 #include <QPrintDialog>
@@ -21,10 +22,11 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
+#include "app/outputs/pdf/pdf_structure.h"
 #include "app/outputs/wording/joined_sentences.h"
 #include "app/services/recording/competence.h"
 #include "sim/core/error.h"
-#include "sim/core/file_lock.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::gui {
 
@@ -150,9 +152,10 @@ QString TranscriptPage::html(bool paper) const {
 }
 
 void TranscriptPage::writePdf(const std::filesystem::path& file) const {
-  PartFile part(file);
+  QBuffer out;
+  out.open(QIODevice::WriteOnly);
   {
-    QPdfWriter writer(toQString(part.path()));
+    QPdfWriter writer(&out);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(kPaperMargins_mm, QPageLayout::Millimeter);
     writer.setTitle(tr("Transcript of twist training"));
@@ -160,7 +163,7 @@ void TranscriptPage::writePdf(const std::filesystem::path& file) const {
     document.setHtml(html(true));
     document.print(&writer);
   }
-  part.finish();
+  writeFileAtomically(file, searchablePdf(out.data().toStdString()));
 }
 
 void TranscriptPage::choosePdf() {

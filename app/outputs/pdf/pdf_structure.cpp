@@ -2,13 +2,18 @@
 #include "app/outputs/pdf/pdf_structure.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include <QPainter>
+#include <QString>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFObjectHandle.hh>
 #include <qpdf/QPDFWriter.hh>
@@ -213,6 +218,53 @@ class StructureTree {
   std::size_t rowNumber_ = 0;
 };
 
+// The character that each radical from U+2E80 to U+2EF3 looks like (Unicode: Equivalent_Unified_Ideograph).
+constexpr char16_t kFirstRadical = 0x2E80;
+constexpr std::u16string_view kLikeRadical =
+    u"\u3000厂乛乚乙亻冂\u3000刀刂卜㔾小小兀尣尢\u3000巳幺彑彐忄心扌攵\u3000旡日月歺母民氵氺灬爫爫丬牛"
+    u"犭王\u3000目示礻\u3000糹纟罓罒㓁冗\u3000羊\u3000\u3000耂肀聿肉\u3000艹艹艹虎衤覀西见角\u3000讠贝\u3000"
+    u"车辶辶辶邑"
+    u"钅長镸长门\u3000阝雨青韦页风飞食\u3000飠饣\u3000马骨鬼鱼鸟卤麦黄黾斉齐歯齿竜龙龜亀龟";
+
+/// Returns the character that is drawn like a radical, or the character itself.
+char16_t ideographOf(char16_t character) {
+  const std::size_t radical = static_cast<std::size_t>(character) - kFirstRadical;
+  if (character >= kFirstRadical && radical < kLikeRadical.size() && kLikeRadical[radical] != u'\u3000') {
+    return kLikeRadical[radical];
+  }
+  const bool kangxi = character >= 0x2F00 && character <= 0x2FD5;
+  return kangxi ? QString(QChar(character)).normalized(QString::NormalizationForm_KC).front().unicode()
+                : character;
+}
+
+/// Fonts draw many radicals and characters with one glyph, and Qt names the first of the two, the radical:
+/// nobody who searches or copies would find the character. `map`: what glyphs mean, as lists [<2F45> <0041>
+/// ...].
+std::string withoutRadicals(std::string map) {
+  for (std::size_t at = map.find('['); at != std::string::npos && at + 5 < map.size(); ++at) {
+    if (map[at] == ']') {
+      at = map.find('[', at);
+      if (at == std::string::npos) {
+        break;
+      }
+    } else if (map[at] == '<' && map[at + 5] == '>') {
+      const auto meant = static_cast<char16_t>(std::stoul(map.substr(at + 1, 4), nullptr, 16));
+      map.replace(at + 1, 4,
+                  QString::number(ideographOf(meant), 16).rightJustified(4, QLatin1Char('0')).toStdString());
+    }
+  }
+  return map;
+}
+
+void nameIdeographs(QPDF& pdf) {
+  for (PdfObject object : pdf.getAllObjects()) {
+    if (object.isDictionary() && object.getKey("/ToUnicode").isStream()) {
+      PdfObject map = object.getKey("/ToUnicode");
+      setContent(map, withoutRadicals(uncompressed(map)));
+    }
+  }
+}
+
 void addTags(QPDF& pdf, const std::vector<PdfPart>& parts) {
   StructureTree tree(pdf);
   std::vector<PdfObject> parents;
@@ -230,6 +282,22 @@ void addTags(QPDF& pdf, const std::vector<PdfPart>& parts) {
   tree.finish(parents);
 }
 
+/// Reads a file by QPdfWriter, changes it and writes it. Throws qpdf's exceptions and std::logic_error.
+std::string changed(const std::string& pdf, const std::function<void(QPDF&)>& change) {
+  QPDF file;
+  file.setSuppressWarnings(true);
+  file.setAttemptRecovery(false);
+  file.processMemoryFile("report", pdf.data(), pdf.size());
+  change(file);
+  QPDFWriter writer(file);
+  writer.setOutputMemory();
+  writer.setObjectStreamMode(qpdf_o_disable);  // PDF/A-1 does not allow object streams
+  writer.setNewlineBeforeEndstream(true);      // required by PDF/A
+  writer.write();
+  const std::shared_ptr<Buffer> written = writer.getBufferSharedPointer();
+  return {reinterpret_cast<const char*>(written->getBuffer()), written->getSize()};
+}
+
 }  // namespace
 
 void markPart(QPainter& painter, std::size_t part) {
@@ -238,23 +306,24 @@ void markPart(QPainter& painter, std::size_t part) {
 
 std::string withStructure(const std::string& pdf, const PdfStructure& structure) {
   try {
-    QPDF file;
-    file.setSuppressWarnings(true);
-    file.setAttemptRecovery(false);
-    file.processMemoryFile("report", pdf.data(), pdf.size());
-    addDescription(file, structure);
-    addBookmarks(file, structure.bookmarks);
-    addTags(file, structure.parts);
-    QPDFWriter writer(file);
-    writer.setOutputMemory();
-    writer.setObjectStreamMode(qpdf_o_disable);  // PDF/A-1 does not allow object streams
-    writer.setNewlineBeforeEndstream(true);      // required by PDF/A
-    writer.write();
-    const std::shared_ptr<Buffer> written = writer.getBufferSharedPointer();
-    return {reinterpret_cast<const char*>(written->getBuffer()), written->getSize()};
-  } catch (const std::exception& error) {  // qpdf's exceptions and std::logic_error
+    return changed(pdf, [&structure](QPDF& file) {
+      addDescription(file, structure);
+      addBookmarks(file, structure.bookmarks);
+      addTags(file, structure.parts);
+      nameIdeographs(file);
+    });
+  } catch (const std::exception& error) {
     refuse(Text::tr("the pages cannot be given bookmarks: %1", error.what()), Text::tr("report"),
            Text::tr("Write the report again"));
+  }
+}
+
+std::string searchablePdf(const std::string& pdf) {
+  try {
+    return changed(pdf, nameIdeographs);
+  } catch (const std::exception& error) {
+    refuse(Text::tr("the pages cannot be made searchable: %1", error.what()), Text::tr("PDF"),
+           Text::tr("Write the file again"));
   }
 }
 

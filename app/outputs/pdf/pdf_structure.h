@@ -51,7 +51,11 @@ struct PdfStructure {
 void markPart(QPainter& painter, std::size_t part);
 
 /// Adds author, language, outline and tags to a PDF: reading order, titles, tables with rows and cells,
-/// alternative texts of figures. Throws Error{kBadData} unless the file is by QPdfWriter. Any thread.
+/// alternative texts of figures; Chinese characters are found by a search. Throws Error{kBadData} unless the
+/// file is by QPdfWriter. Any thread.
 [[nodiscard]] std::string withStructure(const std::string& pdf, const PdfStructure& structure);
+
+/// Makes the Chinese characters of a plain PDF by QPdfWriter findable. Throws Error{kBadData}. Any thread.
+[[nodiscard]] std::string searchablePdf(const std::string& pdf);
 
 }  // namespace torsio

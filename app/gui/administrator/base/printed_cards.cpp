@@ -17,6 +17,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/outputs/charts/typeface.h"
+#include "app/outputs/pdf/pdf_structure.h"
 #include "app/services/access/qr_code.h"
 #include "sim/core/contracts.h"
 #include "sim/core/file_io.h"
@@ -142,7 +143,7 @@ void writeCards(const std::vector<PrintedCard>& cards, const QString& title,
       drawCard(painter, QRectF(0.0, place * height, page.width(), height), cards[i]);
     }
   }
-  writeFileAtomically(file, out.data().toStdString());
+  writeFileAtomically(file, searchablePdf(out.data().toStdString()));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/translated_text.h"
 #include "app/outputs/charts/typeface.h"
+#include "app/outputs/pdf/pdf_structure.h"
 #include "assessment/domain/rating/rubric.h"
 #include "sim/core/file_io.h"
 
@@ -122,7 +123,7 @@ void printHtml(const QString& html, const QString& title, QPageLayout::Orientati
     document.setDocumentMargin(0.0);
     document.print(&writer);
   }
-  writeFileAtomically(file, out.data().toStdString());
+  writeFileAtomically(file, searchablePdf(out.data().toStdString()));
 }
 
 void writeCallList(const std::vector<CallLine>& lines, const QString& cohort, const QString& room,

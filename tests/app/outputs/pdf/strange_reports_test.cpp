@@ -61,6 +61,21 @@ TEST(StrangeReports, ReservationsStandOnTheFirstPageInSmallerLettersBeforeTheyAr
   }
 }
 
+TEST(StrangeReports, ChineseCharactersAreFoundByASearch) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "cohort.pdf";
+  writePdfReport(cohortReport(testing::soundCohort()), file, wordingIn("zh_CN"), {}, "zh_CN");
+
+  const QString page = firstPrintedPage(file);
+  for (const char16_t* said : {u"人员", u"方式", u"手臂", u"签名"}) {
+    EXPECT_TRUE(page.contains(QString::fromUtf16(said))) << page.toStdString();
+  }
+  for (const QChar& character : page) {
+    EXPECT_FALSE(character >= QChar(0x2E80) && character <= QChar(0x2FD5))
+        << "a radical: " << QString(character).toStdString();
+  }
+}
+
 TEST(StrangeReports, AreWritten) {
   const char* kept = std::getenv("TORSIO_STRANGE_REPORTS");
   const QTemporaryDir temporary;
