@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calling trainees from the board of the day.
+#include <iterator>
+#include <regex>
 #include <utility>
 
 #include <QAction>
@@ -52,12 +54,8 @@ using testing::press;
 
 int pagesOf(const std::filesystem::path& pdf) {
   const std::string text = readFile(pdf);
-  int pages = 0;
-  for (std::size_t at = text.find("/Type /Page\n"); at != std::string::npos;
-       at = text.find("/Type /Page\n", at + 1)) {
-    ++pages;
-  }
-  return pages;
+  const std::regex page("/Type /Page[^s]");
+  return static_cast<int>(std::distance(std::sregex_iterator(text.begin(), text.end(), page), {}));
 }
 
 class CallsFromTheBoard : public ::testing::Test {
