@@ -186,10 +186,9 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
   const ReportCell margin =
       resultsAtEnd(ledger)("equivalence_margin", fixed(2), Text(formatFixed(*in.equivalenceMargin, 2)));
   const Text method = primaryMethodText(study);
-  ReportTable table =
-      itemOf<ReportTable>(in, "table-equivalence", Text::tr("Whether the groups are equal within the margin"),
-                          method.empty() ? Text(Text::tr("two one-sided tests"))
-                                         : Text::tr("two one-sided tests, %1", method));
+  ReportTable table = itemOf<ReportTable>(
+      in, "table-equivalence", Text::tr("Whether the groups are equal within the margin"),
+      method.empty() ? Text(Text::tr("two one-sided tests")) : Text::tr("two one-sided tests, %1", method));
   table.columns = {Text::tr("Comparison"), Text::tr("Difference [90 %, not adjusted]"),
                    Text::tr("p (of equality)"), Text::tr("Equal within %1 points (5 %)", margin.words())};
   table.provenance.n = resultsAtEnd(ledger).count(study.mixed ? "mixed_model_marks" : "trainees_compared");

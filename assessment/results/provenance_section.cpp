@@ -18,17 +18,17 @@ ReportTable versionsTable(const CohortInputs& in) {
   table.id = "table-provenance";
   table.annex = true;
   table.title = Text::tr("Where the numbers come from");
-  const Text generator = in.allocation.version.empty() ? Text(Text::tr("generator not recorded"))
-                                                       : Text(in.allocation.version);
+  const Text generator =
+      in.allocation.version.empty() ? Text(Text::tr("generator not recorded")) : Text(in.allocation.version);
   table.columns = {Text::tr("Item"), Text::tr("Value")};
   table.rows = {
       {Text::tr("Software"), in.softwareVersion},
       {Text::tr("Evaluation formulas"), std::string(kEvaluationFormulaVersion)},
       {Text::tr("Training formulas"), std::string(kTrainingFormulaVersion)},
-      {Text::tr("Allocation"),
-       in.allocation.method.empty() ? Text::tr("not recorded")
-       : in.allocation.sealed       ? Text::tr("%1, seed sealed", generator)
-                                    : Text::tr("%1, seed %2", generator, in.allocation.seed)},
+      {Text::tr("Allocation"), in.allocation.method.empty() ? Text::tr("not recorded")
+                               : in.allocation.sealed
+                                   ? Text::tr("%1, seed sealed", generator)
+                                   : Text::tr("%1, seed %2", generator, in.allocation.seed)},
       {Text::tr("Allocation commitment"),
        in.allocation.commitment.empty() ? Text::tr("not recorded") : Text(in.allocation.commitment)}};
   if (!in.programHash.empty()) {
