@@ -24,6 +24,9 @@
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/study/frozen_data.h"
 #include "app/services/study/study_statements.h"
+#include "assessment/results/analysed_cohort.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/validity_argument.h"
 
 namespace torsio::cli {
 
@@ -90,16 +93,18 @@ nlohmann::ordered_json writtenFiles(SessionContext& session, const ReportRequest
   return files;
 }
 
+/// Reads what a report says, with a line of progress.
+CohortInputs inputsWithProgress(SessionContext& session, const ReportRequest& request) {
+  TrialDigests digests(assetsFolder());
+  ProgressLine line;
+  return reportInputs(session, request, digests, [&line](const Progress& at) { line.show(at); });
+}
+
 void writeCohort(const CohortArguments& given) {
   MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database.locator());
   ReportRequest request = reportNamed(desk.session(), given.names);
   request.identity = given.identity;
-  TrialDigests digests(assetsFolder());
-  CohortInputs inputs;
-  {
-    ProgressLine line;
-    inputs = reportInputs(desk.session(), request, digests, [&line](const Progress& at) { line.show(at); });
-  }
+  const CohortInputs inputs = inputsWithProgress(desk.session(), request);
   const nlohmann::ordered_json files = writtenFiles(desk.session(), request, inputs, given);
   if (given.json) {
     printJson({{"simulated", inputs.demonstration}, {"files", files}});
@@ -133,6 +138,93 @@ void addCohort(CLI::App& report) {
   addSignIn(*command, arguments->maintenance, "--login");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { writeCohort(*arguments); });
+}
+
+nlohmann::ordered_json jsonOf(const ValidityLine& line) {
+  nlohmann::ordered_json json{{"id", line.id},
+                              {"inference", nameOf(line.inference)},
+                              {"source", nameOf(line.source)},
+                              {"claim", line.claim}};
+  if (line.threshold) {
+    json["threshold"] = {{"words", thresholdText(*line.threshold)},
+                         {"value", line.threshold->value},
+                         {"source", line.threshold->source},
+                         {"sealed", line.threshold->sealed}};
+  }
+  if (line.results > 0) {
+    json["number"] = numberJson(line.number, line.note);
+    if (line.interval) {
+      json["interval"] = intervalJson(*line.interval);
+    }
+    json["n"] = line.n;
+    json["results"] = line.results;
+    json["cell"] = line.cell;
+  }
+  json["verdict"] = nameOf(line.verdict);
+  json["note"] = line.note;
+  return json;
+}
+
+void print(const ValidityLine& line) {
+  std::cout << line.id << ": " << nameOf(line.verdict) << "\n  " << line.claim << "\n  "
+            << nameOf(line.inference) << "; " << nameOf(line.source) << "\n";
+  if (line.threshold) {
+    std::cout << "  threshold: " << thresholdText(*line.threshold) << " (" << line.threshold->source << ")"
+              << (line.threshold->sealed ? "" : "; threshold not sealed beforehand") << "\n";
+  }
+  if (line.number) {
+    std::cout << "  number: " << resultText(*line.number);
+    if (line.interval) {
+      std::cout << ", 95 % interval " << resultText(*line.interval);
+    } else if (line.counted) {
+      std::cout << ", counted or planned, so without an interval";
+    }
+    std::cout << "; n = " << line.n;
+    if (line.results > 1) {
+      std::cout << "; the worst of " << line.results;
+    }
+    std::cout << "\n  cell: " << line.cell << "\n";
+  }
+  if (!line.note.empty()) {
+    std::cout << (line.verdict == ValidityVerdict::kNotCollected ? "  to collect: " : "  note: ") << line.note
+              << "\n";
+  }
+}
+
+void argueValidity(const CohortArguments& given) {
+  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database.locator());
+  const ReportRequest request = reportNamed(desk.session(), given.names);
+  const CohortInputs inputs = inputsWithProgress(desk.session(), request);
+  const std::vector<ValidityLine> lines = validityArgument(analysedCohort(inputs));
+  if (!given.out.empty()) {
+    (void)exportReport(desk.session(), request, inputs, ReportFormat::kValidity, given.out);
+  }
+  if (given.json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const ValidityLine& line : lines) {
+      list.push_back(jsonOf(line));
+    }
+    printJson({{"simulated", inputs.demonstration}, {"lines", list}});
+    return;
+  }
+  if (inputs.demonstration) {
+    std::cout << "Simulated data: no evidence about people\n";
+  }
+  for (const ValidityLine& line : lines) {
+    print(line);
+  }
+}
+
+void addValidity(CLI::App& report) {
+  auto arguments = std::make_shared<CohortArguments>();
+  CLI::App* command =
+      report.add_subcommand("validity", "Weighs what a cohort's results say for and against its scores");
+  addDatabaseOption(*command, arguments->database);
+  addReportNames(*command, arguments->names);
+  command->add_option("--out", arguments->out, "Also write the lines to this file, as CSV");
+  addSignIn(*command, arguments->maintenance, "--login");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->callback([arguments] { argueValidity(*arguments); });
 }
 
 void replicate(const CohortArguments& given) {
@@ -312,6 +404,7 @@ void addReport(CLI::App& program) {
   CLI::App* report = program.add_subcommand("report", "The cohort report");
   report->require_subcommand(1);
   addCohort(*report);
+  addValidity(*report);
   addReplicate(*report);
   addFreeze(*report);
   addStatement(*report);

@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/results/cohort_csv.h"
 
+#include <array>
+
 #include "assessment/results/analysed_cohort.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/csv_cell.h"
 
 namespace torsio {
 
-namespace {
-
-constexpr std::array<const char*, 10> kHead = {"section",  "item",      "group", "model", "index",
-                                               "occasion", "statistic", "value", "n",     "flags"};
-
-void appendLine(std::string& text, const auto& cells) {
-  bool first = true;
-  for (const auto& cell : cells) {
-    text += first ? "" : ",";
-    first = false;
+void appendCsvLine(std::string& text, std::span<const std::string> cells) {
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) {
+      text += ',';
+    }
     appendCsvCell(text, cell);
   }
   text += "\r\n";
 }
-
-}  // namespace
 
 std::string resultText(const ResultValue& value) {
   if (const auto* word = std::get_if<Text>(&value)) {
@@ -49,10 +44,11 @@ std::vector<CohortCsvRow> cohortCsvRows(const Ledger& ledger) {
 
 std::string cohortCsvText(const std::vector<CohortCsvRow>& rows) {
   std::string text;
-  appendLine(text, kHead);
+  appendCsvLine(text, std::array<std::string, 10>{"section", "item", "group", "model", "index", "occasion",
+                                                  "statistic", "value", "n", "flags"});
   for (const CohortCsvRow& row : rows) {
-    appendLine(text, std::array{row.section, row.item, row.group, row.model, row.index, row.occasion,
-                                row.statistic, row.value, row.n, row.flags});
+    appendCsvLine(text, std::array{row.section, row.item, row.group, row.model, row.index, row.occasion,
+                                   row.statistic, row.value, row.n, row.flags});
   }
   return text;
 }

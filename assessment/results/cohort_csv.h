@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct CohortCsvRow {
 
 /// Lists the lines of a ledger as rows of cohort.csv, in order.
 [[nodiscard]] std::vector<CohortCsvRow> cohortCsvRows(const Ledger& ledger);
+
+/// Adds a line of cells in csvCell() format, ended by \r\n.
+void appendCsvLine(std::string& text, std::span<const std::string> cells);
 
 /// Formats cohort.csv in csvCell() format, with a header: comma-separated, decimal point, line ends \r\n. No
 /// byte order mark.

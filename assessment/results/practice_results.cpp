@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/mean_tests.h"
 #include "assessment/statistics/quantiles.h"
+#include "assessment/statistics/resampling.h"
 #include "sim/core/foreign_recording.h"
 #include "sim/core/text.h"
 
@@ -99,6 +101,44 @@ std::int64_t addGroupCourse(const std::vector<PracticeCourse>& all, std::size_t 
   }
   rows.place.number = 0;
   return used;
+}
+
+/// Adds per group how a trainee's error in the second half of the twists goes with the score at the end.
+/// Within the groups: what training does to both would pass for a relation.
+void addErrorAndScore(const CohortInputs& in, Ledger& ledger) {
+  ResultWriter rows(ledger, {.section = kPractice}, commonFlags(in));
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    const ResultPattern halves{.section = kPractice,
+                               .statistic = "mean_error_second_half_deg",
+                               .of = kEach,
+                               .group = ledger.group(g)};
+    const ResultPattern atEnd{
+        .statistic = "score", .of = kEach, .group = ledger.group(g), .occasion = ledger.lastOccasion()};
+    std::vector<double> errors;
+    std::vector<double> scores;
+    for (const Result* half : ledger.select(halves)) {
+      ResultKey key = atEnd;
+      key.of = half->key.of;
+      const Result* score = ledger.find(key);
+      const std::optional<double> error = numberIn(half->value);
+      const std::optional<double> points = score == nullptr ? std::nullopt : numberIn(score->value);
+      if (error && points) {
+        errors.push_back(*error);
+        scores.push_back(*points);
+      }
+    }
+    if (errors.empty()) {
+      continue;
+    }
+    rows.place.group = ledger.group(g);
+    rows.madeOf = partsOf({halves, atEnd});
+    const Outcome<Correlation> found = pearson(errors, scores);
+    if (found) {
+      rows.addInterval("error_score_correlation", found->r, found->fisherInterval, std::ssize(errors));
+    } else {
+      rows.put("error_score_correlation", Undefined{found.reason()}, std::ssize(errors));
+    }
+  }
 }
 
 /// Adds the runs with twists by group and phase.
@@ -321,6 +361,7 @@ void addPracticeResults(const CohortInputs& in, Ledger& ledger) {
     rows.addCount("twists", twists, twists);
     rows.addCount("twists_in_means", inMeans, twists);
   }
+  addErrorAndScore(in, ledger);
   addRunsByPhase(in, ledger);
   addMediansByPhase(in, RunKind::kUntwisting, ledger);
   addMediansByPhase(in, RunKind::kForeign, ledger);

@@ -1788,6 +1788,25 @@ for (group in groups) {
 }
 if (length(left) > 0) put_practice("twists_in_means", in_means)
 
+# How a trainee's error in the second half of the twists goes with the score at the end, within each group.
+if (nrow(practised) > 0 && last > 0) {
+  second_half <- sapply(courses_of_errors, function(y) mean(y[seq(length(y) %/% 2 + 1, length(y))]))
+  at_the_end <- score_at[[last]][match(practised$trainee, trainees)]
+  for (group in groups) {
+    own <- practised$group == group & !is.na(at_the_end)
+    if (!any(own)) next
+    x <- second_half[own]
+    y <- at_the_end[own]
+    varies <- length(unique(x)) > 1 && length(unique(y)) > 1
+    r <- if (varies) cor(x, y) else NA_real_
+    put_practice("error_score_correlation", r, group = group)
+    if (varies && sum(own) > 3 && abs(r) < 1) {
+      ends <- tanh(atanh(r) + c(-1, 1) * qnorm(0.975) / sqrt(sum(own) - 3))
+      put_interval("practice", "error_score_correlation", ends[1], ends[2], group = group)
+    }
+  }
+}
+
 # ---- Competence: LC-CUSUM ------------------------------------------------------------------------------
 
 # Biau and Porcher (2010): a run passed raises the sum by log((1 - p0) / (1 - p1)), a run failed lowers it by
@@ -2095,7 +2114,8 @@ methods <- c(
     mean_noted_virtual_min mean_noted_real_min trainees_who_rested rest_min mean_recorded_virtual_min
     twists twists_in_means trainees_with_times twists_on_target mean_error_first_half_deg
     mean_error_second_half_deg error_left_deg
-    mean_twist_error_deg mean_twist_error_deg_lower_95 mean_twist_error_deg_upper_95 trainees_with_curve"),
+    mean_twist_error_deg mean_twist_error_deg_lower_95 mean_twist_error_deg_upper_95 trainees_with_curve
+    error_score_correlation error_score_correlation_lower_95 error_score_correlation_upper_95"),
   kinds_of("competence", "
     fewest_attempts fewest_runs_needed declared_if_failing_10_planned declared_if_failing_15_planned
     declared_if_failing_20_planned declared_if_failing_25_planned declared_if_failing_30_planned

@@ -254,7 +254,7 @@ ExchangeFiles exportReplication(SessionContext& session, const ExchangeData& dat
                                 const std::filesystem::path& folder) {
   session.require(Operation::kReportExportCoded);
   return noted(session, data.request, "replication", std::ssize(data.inputs.trainees), false, data.pseudonyms,
-               writeReplication(data.inputs, data.analysed.ledger, folder));
+               writeReplication(data.inputs, data.analysed, folder));
 }
 
 ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, const DatasetRequest& request,

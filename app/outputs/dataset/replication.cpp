@@ -17,6 +17,7 @@
 #include "app/services/base/csv_table.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/record_sentences.h"
+#include "assessment/results/validity_argument.h"
 #include "sim/core/csv_cell.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
@@ -101,6 +102,8 @@ constexpr auto kCodebook = std::to_array<Codeword>({
     {"given.csv", "statistic", "facts of plan and record that are not computed"},
     {"expected.csv", "value", "every number of report and annex, as Torsio computed it"},
     {"expected.csv", "n", "values used"},
+    {"validity.csv", "cell", "row of expected.csv that the claim rests on: its first seven columns"},
+    {"validity.csv", "verdict", "whether the interval, or the count, keeps to the threshold"},
     {"recomputed.csv", "agrees", "whether R found the same within 1e-9"},
 });
 
@@ -124,8 +127,9 @@ std::string packageReadme(const CohortInputs& inputs) {
   return text;
 }
 
-std::map<std::string, std::string> packageContents(const CohortInputs& inputs, const Ledger& ledger) {
-  const std::vector<CohortCsvRow> rows = cohortCsvRows(ledger);
+std::map<std::string, std::string> packageContents(const CohortInputs& inputs,
+                                                   const AnalysedCohort& analysed) {
+  const std::vector<CohortCsvRow> rows = cohortCsvRows(analysed.ledger);
   std::map<std::string, std::string> files;
   std::string& marks = files["marks.csv"] = csvLine({"trainee", "group", "rater", "occasion", "mark"});
   std::string& evaluation = files["evaluation_marks.csv"] =
@@ -155,6 +159,7 @@ std::map<std::string, std::string> packageContents(const CohortInputs& inputs, c
     }
   }
   files[kExpected] = cohortCsvText(rows);
+  files["validity.csv"] = validityCsvText(validityArgument(analysed));
   files["codebook.csv"] = csvLine({"file", "column", "meaning"});
   for (const Codeword& word : kCodebook) {
     files["codebook.csv"] += csvLine({word.file, word.column, word.meaning});
@@ -171,9 +176,9 @@ std::string fileHash(const std::string& content) {
 }
 
 /// Names of the files of a package besides its manifest.
-constexpr std::array<const char*, 8> kFiles = {kScript,     "README.txt",           "codebook.csv",
+constexpr std::array<const char*, 9> kFiles = {kScript,     "README.txt",           "codebook.csv",
                                                kExpected,   "evaluation_marks.csv", "given.csv",
-                                               "marks.csv", "measures.csv"};
+                                               "marks.csv", "measures.csv",         "validity.csv"};
 
 /// Returns a file of a package. Throws Error{kFileUnreadable} for a link, a folder, a pipe or a huge file.
 std::string packageFile(const fs::path& file) {
@@ -269,7 +274,7 @@ std::string complaintOfScript(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<fs::path> writeReplication(const CohortInputs& inputs, const Ledger& ledger,
+std::vector<fs::path> writeReplication(const CohortInputs& inputs, const AnalysedCohort& analysed,
                                        const fs::path& named) {
   if (!inputs.singleMarks) {
     refuseParameter(Text::tr("single marks may not be seen yet"), std::string("replicate"),
@@ -292,7 +297,7 @@ std::vector<fs::path> writeReplication(const CohortInputs& inputs, const Ledger&
   const fs::path made = making.path().toStdString();
   std::string manifest = csvLine({"file", "blake2b"});
   std::vector<fs::path> files;
-  for (const auto& [name, content] : packageContents(inputs, ledger)) {
+  for (const auto& [name, content] : packageContents(inputs, analysed)) {
     writeFileAtomically(made / name, content);
     manifest += csvLine({name, fileHash(content)});
     files.push_back(folder / name);

@@ -5,17 +5,18 @@
 #include <filesystem>
 #include <vector>
 
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_report.h"
-#include "assessment/results/ledger.h"
 
 namespace torsio {
 
 /// Writes a folder from which a study's numbers can be computed again in plain R, without Torsio: marks,
-/// run-level measures, given facts, the expected numbers, codebook, README, a manifest with BLAKE2b-256
-/// hashes, and analysis.R (assets/replication). Returns its files. The folder gets its name when it is
-/// complete. Throws Error: kFileUnwritable if the folder exists, kBadParameter while single marks may not be
-/// seen.
-std::vector<std::filesystem::path> writeReplication(const CohortInputs& inputs, const Ledger& ledger,
+/// run-level measures, given facts, the expected numbers, the validity argument, codebook, README, a manifest
+/// with BLAKE2b-256 hashes, and analysis.R (assets/replication). Returns its files. The folder gets its name
+/// when it is complete. Throws Error: kFileUnwritable if the folder exists, kBadParameter while single marks
+/// may not be seen.
+std::vector<std::filesystem::path> writeReplication(const CohortInputs& inputs,
+                                                    const AnalysedCohort& analysed,
                                                     const std::filesystem::path& folder);
 
 /// What a check of such a folder found.

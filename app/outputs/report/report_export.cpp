@@ -7,6 +7,7 @@
 #include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
+#include "assessment/results/validity_argument.h"
 #include "db/connection/connection.h"
 #include "sim/core/byte_order_mark.h"
 #include "sim/core/contracts.h"
@@ -14,6 +15,23 @@
 #include "sim/core/file_io.h"
 
 namespace torsio {
+
+namespace {
+
+/// Returns the format's name in the audit trail.
+std::string_view formatCode(ReportFormat format) noexcept {
+  switch (format) {
+    case ReportFormat::kPdf:
+      return "pdf";
+    case ReportFormat::kCsv:
+      return "csv";
+    case ReportFormat::kValidity:
+      return "validity";
+  }
+  return "";
+}
+
+}  // namespace
 
 std::string_view identityCode(ReportIdentity identity) noexcept {
   switch (identity) {
@@ -36,15 +54,17 @@ ReportExport exportReport(SessionContext& session, const ReportRequest& request,
   if (format == ReportFormat::kPdf) {
     writePdfReport(cohortReport(inputs), file, wordingIn(language), pages, language);
   } else {
-    writeFileAtomically(
-        file, csvInStyle(std::string(kByteOrderMark) + cohortCsvText(analysedCohort(inputs).ledger), look));
+    const AnalysedCohort analysed = analysedCohort(inputs);
+    const std::string table = format == ReportFormat::kCsv ? cohortCsvText(analysed.ledger)
+                                                           : validityCsvText(validityArgument(analysed));
+    writeFileAtomically(file, csvInStyle(std::string(kByteOrderMark) + table, look));
   }
   const std::string content = readFile(file);
   Digest digest;
   digest.update(content);
   ReportExport done{file, digest.hex(), content.size()};
   nlohmann::ordered_json what;
-  what["format"] = format == ReportFormat::kPdf ? "pdf" : "csv";
+  what["format"] = formatCode(format);
   if (format == ReportFormat::kPdf) {
     what["language"] = language;
   }

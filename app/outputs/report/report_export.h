@@ -11,7 +11,7 @@
 
 namespace torsio {
 
-enum class ReportFormat { kPdf, kCsv };
+enum class ReportFormat { kPdf, kCsv, kValidity };  ///< kValidity: the validity argument as a table
 
 /// Exported report.
 struct ReportExport {
@@ -24,10 +24,10 @@ struct ReportExport {
 using ReportPages = std::function<void(std::size_t page, std::size_t pages)>;
 
 /// Writes the report (PDF, in one of reportLanguages() of app/outputs/wording/wording.h: GUI thread, needs a
-/// QApplication) or its table of numbers (UTF-8 with byte order mark, in the requested format) and audits who
-/// exported what: cohort, data set, form of identity, format, language, size and hash of the file; no names.
-/// Coded and aggregated: kReportExportCoded; named: kReportExportNamed. `inputs` are those of `request`.
-/// Throws Error{kFileUnwritable}; an older file of that name is then untouched.
+/// QApplication), its table of numbers or its validity argument (UTF-8 with byte order mark, in the requested
+/// format) and audits who exported what: cohort, data set, form of identity, format, language, size and hash
+/// of the file; no names. Coded and aggregated: kReportExportCoded; named: kReportExportNamed. `inputs` are
+/// those of `request`. Throws Error{kFileUnwritable}; an older file of that name is then untouched.
 ReportExport exportReport(SessionContext& session, const ReportRequest& request, const CohortInputs& inputs,
                           ReportFormat format, const std::filesystem::path& file,
                           const std::string& language = "en", const ReportPages& pages = {},

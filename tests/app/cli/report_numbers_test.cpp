@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -279,6 +280,33 @@ void areInTheReportThatTheOwnerOfTheFileWrites(const fs::path& folder) {
   EXPECT_FALSE(fs::exists(folder / "no.pdf"));
 }
 
+void restTheValidityArgumentOnTheSameCells(const fs::path& folder) {
+  const std::string command = "report validity --database " + (folder / "out" / "torsio.sqlite").string();
+  const ProgramRun run = runTorsio(command + " --json --out " + (folder / "validity.csv").string(), folder);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json argument = json::parse(run.out);
+  EXPECT_TRUE(argument["simulated"].get<bool>());
+  const std::vector<std::string> table = lines(folder / "out" / "cohort.csv");
+  std::set<std::string> verdicts;
+  for (const json& line : argument["lines"]) {
+    verdicts.insert(line["verdict"].get<std::string>());
+    EXPECT_EQ(line.contains("cell"), line["verdict"] != "not collected") << line;
+    if (!line.contains("cell")) {
+      EXPECT_FALSE(line["note"].get<std::string>().empty()) << line;
+      continue;
+    }
+    const std::string cell = line["cell"].get<std::string>();
+    EXPECT_EQ(std::count_if(table.begin(), table.end(),
+                            [&](const std::string& one) { return addressIn(one) == cell; }),
+              1)
+        << line;
+  }
+  EXPECT_EQ(verdicts.size(), 4U) << "of the demonstration";
+  EXPECT_EQ(lines(folder / "validity.csv").size(), argument["lines"].size() + 1);
+  EXPECT_NE(runTorsio(command, folder).out.find("generalisation.raters: "), std::string::npos);
+  EXPECT_EQ(runTorsio(command + " --cohort nobody", folder).code, 7);
+}
+
 // A single test, because the demonstration takes most of the time.
 TEST(ReportNumbers, OfCommandsWindowAndTraceAreEqual) {
   const fs::path folder = emptyFolder("report-numbers");
@@ -287,6 +315,7 @@ TEST(ReportNumbers, OfCommandsWindowAndTraceAreEqual) {
   areFollowedToTheMarksTheSheetAndTheRecording(folder);
   ofTheWindowAreThoseOfTheCommandLineInEveryCell(folder);
   areInTheReportThatTheOwnerOfTheFileWrites(folder);
+  restTheValidityArgumentOnTheSameCells(folder);
 }
 
 }  // namespace

@@ -89,10 +89,10 @@ class Replication : public ::testing::Test {
 };
 
 TEST_F(Replication, ContainsMarksMeasuresScriptAndHashesOfAllFiles) {
-  EXPECT_THAT(
-      write(testing::demonstrationCohort()),
-      ::testing::IsSupersetOf({"marks.csv", "evaluation_marks.csv", "measures.csv", "given.csv",
-                               "expected.csv", "analysis.R", "codebook.csv", "README.txt", "manifest.csv"}));
+  EXPECT_THAT(write(testing::demonstrationCohort()),
+              ::testing::IsSupersetOf({"marks.csv", "evaluation_marks.csv", "measures.csv", "given.csv",
+                                       "expected.csv", "validity.csv", "analysis.R", "codebook.csv",
+                                       "README.txt", "manifest.csv"}));
   const std::string marks = readFile(folder_ / "marks.csv");
   EXPECT_EQ(std::count(marks.begin(), marks.end(), '\n'), 901);
   EXPECT_THAT(readFile(folder_ / "README.txt"), HasSubstr("Simulated"));
