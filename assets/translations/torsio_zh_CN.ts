@@ -22453,6 +22453,26 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>For %1, %2 minutes on the simulator are noted per trainee on average, but the recorded runs last only %3 {minute|minutes}: most of the training is not in the record.</source>
         <translation>%1：平均每名学员登记了 %2 分钟的模拟器训练，但录制的操作平均仅 %3 分钟：大部分训练不在记录中。</translation>
     </message>
+    <message>
+        <source>the pages cannot be made searchable: %1</source>
+        <translation>无法使页面文字可检索：%1</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Write the file again</source>
+        <translation>请重新写入该文件</translation>
+    </message>
+    <message>
+        <source>two one-sided tests</source>
+        <translation>双单侧检验</translation>
+    </message>
+    <message>
+        <source>generator not recorded</source>
+        <translation>未记录随机数发生器</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
