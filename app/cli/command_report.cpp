@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -25,7 +26,7 @@
 #include "app/services/study/frozen_data.h"
 #include "app/services/study/study_statements.h"
 #include "assessment/results/analysed_cohort.h"
-#include "assessment/results/cohort_csv.h"
+#include "assessment/results/number_format.h"
 #include "assessment/results/validity_argument.h"
 
 namespace torsio::cli {
@@ -165,6 +166,12 @@ nlohmann::ordered_json jsonOf(const ValidityLine& line) {
   return json;
 }
 
+/// For reading; the exact number stands in JSON and in the file.
+std::string roundedText(double value) {
+  constexpr int kDecimals = 3;
+  return formatFixed(value, value == std::floor(value) ? 0 : kDecimals);
+}
+
 void print(const ValidityLine& line) {
   std::cout << line.id << ": " << nameOf(line.verdict) << "\n  " << line.claim << "\n  "
             << nameOf(line.inference) << "; " << nameOf(line.source) << "\n";
@@ -173,9 +180,10 @@ void print(const ValidityLine& line) {
               << (line.threshold->sealed ? "" : "; threshold not sealed beforehand") << "\n";
   }
   if (line.number) {
-    std::cout << "  number: " << resultText(*line.number);
+    std::cout << "  number: " << roundedText(*line.number);
     if (line.interval) {
-      std::cout << ", 95 % interval " << resultText(*line.interval);
+      std::cout << ", 95 % interval [" << roundedText(line.interval->lower) << ", "
+                << roundedText(line.interval->upper) << "]";
     } else if (line.counted) {
       std::cout << ", counted or planned, so without an interval";
     }
