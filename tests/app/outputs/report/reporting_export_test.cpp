@@ -427,6 +427,24 @@ TEST(ReportExport, AuditsWhoExportedWhatWithTheHashOfTheFileAndNoName) {
   EXPECT_EQ(entry.newJson.find("Trainee"), std::string::npos);
 }
 
+TEST(ReportExport, OfTheValidityArgumentIsAuditedLikeTheTableOfNumbers) {
+  SmallStudy study;
+  const CohortInputs inputs = reportInputs(study.centre.as("statistician"), study.request, study.digests);
+  const std::filesystem::path file = study.centre.folder() / "validity.csv";
+
+  EXPECT_THROW(exportReport(study.centre.as("trainee"), study.request, inputs, ReportFormat::kValidity, file),
+               Error);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  const ReportExport done =
+      exportReport(study.centre.as("statistician"), study.request, inputs, ReportFormat::kValidity, file);
+
+  EXPECT_NE(readFile(file).find("implications.harms"), std::string::npos);
+  const AuditEntry entry = AuditRepository(study.centre.connection()).entries({.limit = 1}).at(0);
+  EXPECT_EQ(entry.action, "report.export_coded");
+  EXPECT_NE(entry.newJson.find("\"format\":\"validity\""), std::string::npos);
+  EXPECT_NE(entry.newJson.find(done.contentHash), std::string::npos);
+}
+
 TEST(TrialDigests, AreMeasuredOnceAndReadBackBitForBit) {
   SmallStudy study;
   record(study, "first", 100);
